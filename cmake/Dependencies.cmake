@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Everything this project links. Each find is here and nowhere else.
+
+find_package(OpenCL REQUIRED)
+find_package(Threads REQUIRED)
+
+# Embree builds the acceleration structure. Version 4 has the same builder as 3 under another include folder.
+find_package(embree 4 CONFIG QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3.13 CONFIG QUIET)
+endif()
+if(NOT embree_FOUND)
+  message(FATAL_ERROR "Embree 3.13 or newer was not found (Debian and Ubuntu: libembree-dev)")
+endif()
+string(REGEX MATCH "^[0-9]+" TYN_EMBREE_MAJOR "${embree_VERSION}")
+message(STATUS "Embree ${embree_VERSION}")
+
+if(TYN_BUILD_IO)
+  find_package(TinyGLTF CONFIG REQUIRED)
+  # Through pkg-config: Debian 12's CMake files of Imath name a Python library that libopenexr-dev does not bring along.
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR>=3)
+  find_package(PNG REQUIRED)
+  find_package(meshoptimizer CONFIG REQUIRED)
+  find_package(nlohmann_json 3 CONFIG REQUIRED)
+endif()
+
+if(TYN_BUILD_SAMPLES)
+  find_package(CLI11 CONFIG REQUIRED)
+endif()
+
+if(TYN_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+  find_package(benchmark CONFIG QUIET)
+endif()

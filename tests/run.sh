@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# tests/run.sh [CTEST ARGUMENT...]: installs what is missing, builds with warnings as errors, and runs the test suite. With
+# arguments they go to ctest (tests/run.sh -L quick); without, the whole suite runs, and then the labels unit and
+# bad-input once more under AddressSanitizer and UndefinedBehaviorSanitizer.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+say() { printf '== %s\n' "$*"; }
+TYNDALL_SCRIPT=run.sh bash samples/packages.sh tests
+
+jobs=$(nproc)
+# build PRESET: the log is shown when it fails
+build() {
+  local log=build/$1.log fresh=
+  mkdir -p build
+  say "build $1"
+  # a tree made by another generator, or for a checkout that stood elsewhere, starts again
+  if [ ! -f "build/$1/build.ninja" ] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$1/CMakeCache.txt"; then
+    fresh=--fresh
+  fi
+  { cmake $fresh --preset "$1" -G Ninja && cmake --build "build/$1" -j "$jobs"; } >"$log" 2>&1 ||
+    { grep -E 'error|Error|FAILED' "$log" | head -n 5 || true; tail -n 60 "$log"; return 1; }
+  grep -E '^-- .*(left out|disabled)' "$log" || true
+}
+# suite PRESET CTEST_ARGUMENT...: a suite without a test is a failure
+suite() {
+  local preset=$1
+  shift
+  say "ctest $preset $*"
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@"
+}
+
+build ci
+if [ $# -gt 0 ]; then
+  suite ci "$@"
+  exit
+fi
+
+# Both suites run even if the first fails; the summaries stand together at the end.
+result=0
+suite ci 2>&1 | tee build/ci-tests.log || result=1
+{ build asan && suite asan -L '^(unit|bad-input)$' 2>&1 | tee build/asan-tests.log; } || result=1
+
+# The lines from ctest's verdict on, labels' times left out.
+summary() { sed -n '/% tests passed/,$p' "build/$1-tests.log" 2>/dev/null | grep -vE '^$|^Label Time|sec\*proc' || true; }
+say "with sanitizers"
+summary asan
+say "the whole suite"
+summary ci
+exit $result
