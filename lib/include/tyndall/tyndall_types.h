@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Tyndall: the records of the batch calls. One definition serves the C API and the OpenCL kernels: 4-byte scalars only,
+ * so that host and device agree on every offset.
+ *
+ * Lengths are in scene units, coefficients in 1/scene unit. Directions have unit length; a direction that is not within
+ * 1e-3 of unit length is an invalid argument. "Outside" is the side that the geometric normal points to (counter-clockwise
+ * winding seen from outside). RGB is linear, Rec.709 primaries.
+ */
+#ifndef TYNDALL_TYPES_H
+#define TYNDALL_TYPES_H
+
+#ifdef __OPENCL_VERSION__
+typedef int int32_t;
+typedef uint uint32_t;
+#else
+#include <stdint.h>
+#endif
+
+/* "No such index": in TynHit::mesh a miss, in a material no texture, in a mesh no medium. */
+#define TYN_NONE 0xffffffffu
+
+/* A ray of tyn_intersect and tyn_occluded. It covers origin + t * direction for t in [t_min, t_max]. */
+typedef struct TynRay {
+  float origin[3];
+  float t_min; /* >= 0 */
+  float direction[3];
+  float t_max; /* > t_min; INFINITY is allowed */
+} TynRay;
+
+/* The nearest intersection of a ray, or none. Equal distances go to the lowest mesh, then the lowest triangle. */
+typedef struct TynHit {
+  float t;           /* distance in units of the ray's direction; INFINITY at a miss */
+  float u, v;        /* barycentric coordinates: point = (1-u-v) p0 + u p1 + v p2 */
+  uint32_t mesh;     /* TYN_NONE at a miss */
+  uint32_t triangle; /* index within the mesh */
+  float normal[3];   /* unit geometric normal, outside, whichever side was hit */
+} TynHit;
+
+/* How a walk begins. */
+enum {
+  TYN_ENTRY_INSIDE = 0,  /* `direction` points into the medium: the walk starts along it */
+  TYN_ENTRY_REFRACT = 1, /* `direction` travels towards the surface from outside: Fresnel reflection is taken off the
+                            weight (ledger: reflected), the rest is refracted */
+  TYN_ENTRY_COSINE = 2   /* `direction` is ignored: a cosine-distributed direction about the inward normal is drawn */
+};
+
+/* What a walk starts from: 96 bytes. */
+typedef struct TynWalkEntry {
+  float position[3];  /* on the triangle (kinds REFRACT, COSINE), or anywhere inside (INSIDE with triangle TYN_NONE) */
+  uint32_t kind;      /* TYN_ENTRY_* */
+  float direction[3]; /* unit; see `kind` */
+  uint32_t mesh;      /* mesh whose inside is walked; must have a medium, here or through `medium` */
+  float weight[3];    /* RGB weight that enters, >= 0; usually 1 1 1 */
+  uint32_t triangle;  /* triangle within the mesh on which `position` lies; TYN_NONE: in the interior (kind INSIDE) */
+  float albedo[3];    /* single-scattering albedo in [0, 1] for this walk (a texture's value); albedo[0] < 0: the medium's */
+  uint32_t medium;    /* index of the medium; TYN_NONE: the mesh's */
+  float sigma_t[3];   /* extinction for this walk, 1/scene unit, >= 0; sigma_t[0] < 0: the medium's */
+  uint32_t reserved;  /* 0 */
+  float roughness;    /* GGX alpha of the boundary seen from inside, [0, 1]; 0 smooth; ignored when index-matched */
+  uint32_t path[2];   /* low and high word added to the call's first_path + index: chooses the random numbers; 0 0 */
+  uint32_t reserved2; /* 0 */
+} TynWalkEntry;
+
+/* How a walk ended. */
+enum {
+  TYN_WALK_ESCAPED = 0,  /* left through the boundary: position, direction and weight are set */
+  TYN_WALK_ABSORBED = 1, /* ended by roulette, or its weight reached exactly 0 */
+  TYN_WALK_CAPPED = 2,   /* reached the caller's max_scatterings */
+  TYN_WALK_LEAKED = 3,   /* left the bounds of its mesh without crossing a triangle: a hole */
+  TYN_WALK_LOST = 4,     /* a number became NaN or infinite: reported, never silently dropped */
+  TYN_WALK_REFLECTED = 5 /* kind REFRACT: nothing was transmitted */
+};
+
+/* Where and how a walk ended: 96 bytes. Unless the status is ESCAPED, position and direction are the last known ones and
+ * weight is what was left when the walk ended. */
+typedef struct TynWalkExit {
+  float position[3];
+  uint32_t status;           /* TYN_WALK_* */
+  float direction[3];        /* unit, pointing outside */
+  uint32_t triangle;         /* triangle of the mesh that was crossed; TYN_NONE if none */
+  float weight[3];           /* RGB weight that leaves; per walk at most (number of channels) x the weight that entered */
+  uint32_t scatterings;      /* number of scattering events */
+  float geometric_normal[3]; /* unit, outside */
+  float path_length;         /* total length travelled inside, scene units */
+  float shading_normal[3];   /* unit, interpolated vertex normals (the geometric normal if the mesh has none) */
+  float u;                   /* barycentric coordinates on `triangle`, as in TynHit */
+  float uv[2];               /* interpolated texture coordinates; 0 0 if the mesh has none */
+  float v;
+  uint32_t reserved; /* 0 */
+} TynWalkExit;
+
+#endif
