@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The records that host and kernels share beyond the public ones: one definition, 4-byte scalars only.
+// tests/unit compares the sizes and offsets that the host sees with those that a kernel reports.
+#ifndef TYN_SHARED_H
+#define TYN_SHARED_H
+
+#include "tyndall/tyndall_types.h"
+
+// ---- Acceleration structure -----------------------------------------------------------------------------------------
+// One tree of 8-wide nodes for the whole scene. Every mesh has its own root inside it (TynMeshRecord::root), so that a walk
+// can be confined to one mesh; the scene's root is node 0, whose subtrees end in the roots of the meshes.
+#define TYN_BVH_WIDTH 8
+#define TYN_BLOCK_SIZE 4
+#define TYN_BVH_STACK 256 // entries; the build refuses deeper trees (7 per level + 1)
+
+// A child: an inner node's index, or TYN_CHILD_LEAF | first block << 4 | number of blocks (1 .. 15), or TYN_CHILD_EMPTY.
+#define TYN_CHILD_LEAF 0x80000000u
+#define TYN_CHILD_EMPTY 0xffffffffu
+
+typedef struct TynBvhNode {
+  float bounds[6][TYN_BVH_WIDTH]; // lower x, y, z, upper x, y, z; an empty child has lower = +inf, upper = -inf
+  uint32_t child[TYN_BVH_WIDTH];
+} TynBvhNode; // 224 bytes
+
+// Four triangles. Unused places repeat triangle TYN_NONE with all-zero positions, which nothing hits.
+typedef struct TynTriangleBlock {
+  float position[9][TYN_BLOCK_SIZE];  // p0 x, y, z, p1 x, y, z, p2 x, y, z
+  uint32_t triangle[TYN_BLOCK_SIZE];  // scene-wide index
+} TynTriangleBlock; // 160 bytes
+
+// ---- Geometry ---------------------------------------------------------------------------------------------------------
+// Vertices and triangles of all meshes, one after the other.
+typedef struct TynTriangleRecord {
+  uint32_t vertex[3]; // scene-wide; in outward winding
+  uint32_t mesh;
+  uint32_t material; // TYN_NONE never: the host resolves the default
+} TynTriangleRecord; // 20 bytes
+
+#define TYN_MESH_HAS_NORMALS 1u
+#define TYN_MESH_HAS_UVS 2u
+#define TYN_MESH_CLOSED 4u
+
+typedef struct TynMeshRecord {
+  uint32_t root;           // TynBvhNode index of the mesh's own root
+  uint32_t first_triangle; // scene-wide
+  uint32_t triangle_count;
+  uint32_t medium; // TYN_NONE: opaque
+  uint32_t flags;  // TYN_MESH_*
+  float slack;     // see traverse.clh: how far behind a ray's origin a leaving hit still counts, 2^-20 of the largest
+                   // absolute coordinate of the mesh, as a power of two
+  float lower[3];
+  float upper[3]; // bounds, widened by slack
+} TynMeshRecord; // 48 bytes
+
+typedef struct TynMediumRecord {
+  float sigma_t[3];
+  float g;
+  float albedo[3];
+  float ior;
+} TynMediumRecord; // 32 bytes
+
+// ---- Walks ------------------------------------------------------------------------------------------------------------
+typedef struct TynWalkParameters {
+  uint32_t seed[2];       // low, high word
+  uint32_t first_path[2]; // low, high word of the path number of the first entry
+  uint32_t count;         // number of entries
+  uint32_t max_scatterings; // 0: no cap
+  float roulette_threshold; // 0: no roulette
+  uint32_t mesh_count;
+  uint32_t medium_count;
+  uint32_t triangle_count;
+  uint32_t slice; // entries per work-item
+  uint32_t reserved;
+} TynWalkParameters; // 48 bytes
+
+// What one walk adds to the ledger beside what its exit says.
+typedef struct TynWalkTally {
+  float reflected[3];
+  float absorbed[3];
+  float balance[3];
+} TynWalkTally; // 36 bytes
+
+#endif

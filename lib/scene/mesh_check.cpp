@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/mesh_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/edges.hpp"
+#include "scene/parity_sets.hpp"
+#include "scene/vector.hpp"
+#include "scene/weld.hpp"
+
+namespace tyn {
+namespace {
+
+uint32_t triangle_count(const Mesh &mesh) { return uint32_t(mesh.indices.size() / 3); }
+
+void turn(Mesh &mesh, uint32_t triangle) {
+  std::swap(mesh.indices[3 * size_t(triangle) + 1], mesh.indices[3 * size_t(triangle) + 2]);
+  mesh.turned[triangle] ^= 1;
+}
+
+void measure_bounds(Mesh &mesh) {
+  float *lower = mesh.info.lower, *upper = mesh.info.upper;
+  for (int k = 0; k < 3; k++)
+    lower[k] = INFINITY, upper[k] = -INFINITY;
+  // Only what triangles use: a vertex that none uses is not part of the surface.
+  for (uint32_t index : mesh.indices) {
+    const float *p = &mesh.positions[index].x;
+    for (int k = 0; k < 3; k++)
+      lower[k] = std::min(lower[k], p[k]), upper[k] = std::max(upper[k], p[k]);
+  }
+}
+
+// Area, and volume by the divergence theorem. The origin is moved into the mesh: far away, the terms would cancel.
+void measure_size(Mesh &mesh) {
+  const TynMeshInfo &info = mesh.info;
+  const Double3 centre{0.5 * (double(info.lower[0]) + info.upper[0]), 0.5 * (double(info.lower[1]) + info.upper[1]),
+                       0.5 * (double(info.lower[2]) + info.upper[2])};
+  double area = 0, volume = 0;
+  for (uint32_t i = 0; i < triangle_count(mesh); i++) {
+    const Double3 n = area_vector(mesh, i);
+    area += 0.5 * length(n);
+    volume += dot(n, to_double(mesh.positions[mesh.indices[3 * size_t(i)]]) - centre) / 6;
+  }
+  mesh.info.area = area;
+  mesh.info.volume = volume;
+}
+
+void count_degenerate(Mesh &mesh, const std::vector<uint32_t> &corners) {
+  mesh.info.degenerate_triangles = 0;
+  for (uint32_t i = 0; i < triangle_count(mesh); i++)
+    if (!distinct(&corners[3 * size_t(i)]) || length(area_vector(mesh, i)) == 0)
+      mesh.info.degenerate_triangles++;
+}
+
+// Triangles with the same three positions as an earlier one, whatever their winding.
+void count_duplicates(Mesh &mesh, const std::vector<uint32_t> &corners) {
+  std::vector<std::array<uint32_t, 3>> keys;
+  for (size_t i = 0; i < corners.size(); i += 3) {
+    std::array<uint32_t, 3> key{corners[i], corners[i + 1], corners[i + 2]};
+    std::sort(key.begin(), key.end());
+    if (distinct(key.data()))
+      keys.push_back(key);
+  }
+  std::sort(keys.begin(), keys.end());
+  mesh.info.duplicate_triangles = 0;
+  for (size_t i = 1; i < keys.size(); i++)
+    mesh.info.duplicate_triangles += keys[i] == keys[i - 1];
+}
+
+void count_edges(Mesh &mesh, const std::vector<EdgeSide> &sides) {
+  mesh.info.boundary_edges = mesh.info.nonmanifold_edges = 0;
+  for_each_edge(sides, [&](const EdgeSide *first, const EdgeSide *last) {
+    mesh.info.boundary_edges += last - first == 1;
+    mesh.info.nonmanifold_edges += last - first > 2;
+  });
+  mesh.info.closed = !sides.empty() && mesh.info.boundary_edges == 0 && mesh.info.nonmanifold_edges == 0;
+}
+
+// Triangles that share an edge, of any kind. Triangles without edges belong to none.
+void count_components(Mesh &mesh, const std::vector<uint32_t> &corners, const std::vector<EdgeSide> &sides) {
+  ParitySets sets(triangle_count(mesh));
+  for_each_edge(sides, [&](const EdgeSide *first, const EdgeSide *last) {
+    for (const EdgeSide *side = first + 1; side != last; ++side)
+      sets.join(first->triangle, side->triangle, 0);
+  });
+  mesh.info.components = 0;
+  for (uint32_t i = 0; i < triangle_count(mesh); i++)
+    mesh.info.components += distinct(&corners[3 * size_t(i)]) && sets.find(i).root == i;
+}
+
+// Makes neighbours agree over edges with two triangles; in each patch the majority wins, and the lowest triangle at a tie. A
+// patch that cannot be oriented (a Moebius strip) stays as it is.
+void make_consistent(Mesh &mesh, const std::vector<EdgeSide> &sides) {
+  ParitySets sets(triangle_count(mesh));
+  for_each_edge(sides, [&](const EdgeSide *first, const EdgeSide *last) {
+    // Two triangles agree where they run along their common edge in opposite directions.
+    if (last - first == 2)
+      sets.join(first[0].triangle, first[1].triangle, first[0].forward == first[1].forward);
+  });
+  std::vector<int64_t> balance(triangle_count(mesh), 0); // at the root: triangles like it, minus opposite ones
+  for (uint32_t i = 0; i < triangle_count(mesh); i++) {
+    const ParitySets::Place place = sets.find(i);
+    balance[place.root] += place.parity ? -1 : 1;
+  }
+  mesh.info.turned_triangles = 0;
+  for (uint32_t i = 0; i < triangle_count(mesh); i++) {
+    const ParitySets::Place place = sets.find(i);
+    const uint32_t wrong = balance[place.root] >= 0 ? 1 : 0;
+    if (sets.contradictory(place.root) || place.parity != wrong)
+      continue;
+    turn(mesh, i);
+    mesh.info.turned_triangles++;
+  }
+}
+
+// Normals should be on the side that the triangles around them face.
+void turn_inward_normals(Mesh &mesh) {
+  std::vector<int32_t> votes(mesh.normals.size(), 0);
+  for (uint32_t i = 0; i < triangle_count(mesh) && !votes.empty(); i++) {
+    const Double3 n = area_vector(mesh, i);
+    for (size_t k = 0; k < 3; k++) {
+      const uint32_t vertex = mesh.indices[3 * size_t(i) + k];
+      const double agreement = dot(n, to_double(mesh.normals[vertex]));
+      votes[vertex] += (agreement > 0) - (agreement < 0);
+    }
+  }
+  for (size_t i = 0; i < votes.size(); i++)
+    if (votes[i] < 0)
+      mesh.normals[i] = {-mesh.normals[i].x, -mesh.normals[i].y, -mesh.normals[i].z};
+}
+
+// A closed mesh whose volume is negative is inside out.
+void make_outward(Mesh &mesh) {
+  mesh.info.inverted_components = 0;
+  if (!mesh.info.closed || !(mesh.info.volume < 0))
+    return;
+  for (uint32_t i = 0; i < triangle_count(mesh); i++)
+    turn(mesh, i);
+  turn_inward_normals(mesh);
+  mesh.info.volume = -mesh.info.volume;
+  mesh.info.inverted_components = mesh.info.components;
+}
+
+} // namespace
+
+void check_mesh(Mesh &mesh) {
+  const Welded welded = weld(mesh.positions);
+  std::vector<uint32_t> corners(mesh.indices.size());
+  for (size_t i = 0; i < corners.size(); i++)
+    corners[i] = welded.vertex[mesh.indices[i]];
+  const std::vector<EdgeSide> sides = sorted_edge_sides(corners);
+
+  mesh.turned.assign(triangle_count(mesh), 0);
+  mesh.info = TynMeshInfo{};
+  mesh.info.size = sizeof mesh.info;
+  mesh.info.vertex_count = uint32_t(mesh.positions.size());
+  mesh.info.triangle_count = triangle_count(mesh);
+  mesh.info.welded_vertex_count = welded.count;
+  count_degenerate(mesh, corners);
+  count_duplicates(mesh, corners);
+  count_edges(mesh, sides);
+  count_components(mesh, corners, sides);
+  make_consistent(mesh, sides);
+  measure_bounds(mesh);
+  measure_size(mesh);
+  make_outward(mesh);
+}
+
+} // namespace tyn
