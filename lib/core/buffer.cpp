@@ -11,8 +11,8 @@ namespace {
 constexpr size_t dummy_bytes = 16;
 
 bool is_out_of_memory(cl_int code) {
-  return code == CL_OUT_OF_RESOURCES || code == CL_MEM_OBJECT_ALLOCATION_FAILURE ||
-         code == CL_OUT_OF_HOST_MEMORY || code == CL_INVALID_BUFFER_SIZE;
+  return code == CL_OUT_OF_RESOURCES || code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_HOST_MEMORY ||
+         code == CL_INVALID_BUFFER_SIZE;
 }
 
 double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / 1048576.0; }
@@ -20,11 +20,10 @@ double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / 1048576.0
 void require_room(const TynContext &context, uint64_t bytes) {
   if (bytes > context.memory_available())
     fail(TYN_ERROR_OUT_OF_MEMORY,
-         "out of device memory: a buffer of %.1f MiB was asked for, %.1f MiB are left of %.1f MiB",
-         mebibytes(bytes), mebibytes(context.memory_available()), mebibytes(context.memory_limit));
+         "out of device memory: a buffer of %.1f MiB was asked for, %.1f MiB are left of %.1f MiB", mebibytes(bytes),
+         mebibytes(context.memory_available()), mebibytes(context.memory_limit));
   if (bytes > context.largest_buffer())
-    fail(TYN_ERROR_OUT_OF_MEMORY,
-         "a buffer of %.1f MiB was asked for; the largest that %s allows is %.1f MiB",
+    fail(TYN_ERROR_OUT_OF_MEMORY, "a buffer of %.1f MiB was asked for; the largest that %s allows is %.1f MiB",
          mebibytes(bytes), context.device_info.name, mebibytes(context.largest_buffer()));
 }
 
@@ -38,11 +37,9 @@ Buffer::Buffer(TynContext &owner, size_t wanted, cl_mem_flags flags, const void 
   if (initial)
     flags |= CL_MEM_COPY_HOST_PTR;
   cl_int code = CL_SUCCESS;
-  mem = clCreateBuffer(owner.cl, flags, bytes ? bytes : dummy_bytes, const_cast<void *>(initial),
-                       &code);
+  mem = clCreateBuffer(owner.cl, flags, bytes ? bytes : dummy_bytes, const_cast<void *>(initial), &code);
   if (is_out_of_memory(code))
-    fail(TYN_ERROR_OUT_OF_MEMORY,
-         "clCreateBuffer failed for %.1f MiB with %.1f MiB in use: %s (%d)", mebibytes(bytes),
+    fail(TYN_ERROR_OUT_OF_MEMORY, "clCreateBuffer failed for %.1f MiB with %.1f MiB in use: %s (%d)", mebibytes(bytes),
          mebibytes(owner.memory_used), cl_code_name(code), code);
   check_cl(code, "clCreateBuffer");
   owner.memory_used += bytes;

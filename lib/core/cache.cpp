@@ -50,8 +50,8 @@ Binary read_binary(const std::string &path, const std::string &key) {
   Header header{};
   if (!file || std::fread(&header, sizeof header, 1, file.get()) != 1)
     return {};
-  if (std::memcmp(header.magic, magic, sizeof magic) != 0 || header.key_size != key.size() ||
-      header.binary_size == 0 || header.binary_size > largest_binary)
+  if (std::memcmp(header.magic, magic, sizeof magic) != 0 || header.key_size != key.size() || header.binary_size == 0 ||
+      header.binary_size > largest_binary)
     return {};
   // A damaged size must not make us allocate more than there is to read.
   if (fs::file_size(path) != sizeof header + header.key_size + header.binary_size)
@@ -82,8 +82,7 @@ bool write_file(const std::string &path, const std::string &key, const Binary &b
 std::string temporary_name(const std::string &path, const void *unique) {
   const auto ticks = std::chrono::steady_clock::now().time_since_epoch().count();
   const auto place = reinterpret_cast<uintptr_t>(unique);
-  return path + format(".%llx%llx.tmp", static_cast<unsigned long long>(ticks),
-                       static_cast<unsigned long long>(place));
+  return path + format(".%llx%llx.tmp", static_cast<unsigned long long>(ticks), static_cast<unsigned long long>(place));
 }
 
 bool write_binary(const std::string &path, const std::string &key, const Binary &binary) {
@@ -121,23 +120,18 @@ std::string environment_cache_directory() {
   return {};
 }
 
-std::string cache_key(cl_device_id device, uint64_t source_hash, size_t source_size,
-                      const std::string &options) {
+std::string cache_key(cl_device_id device, uint64_t source_hash, size_t source_size, const std::string &options) {
   const auto platform = device_value<cl_platform_id>(device, CL_DEVICE_PLATFORM);
-  return format("cache %u\nsource %016llx %zu\noptions %s\nplatform %s, %s\ndevice %s, %s, %s\n",
-                format_version, static_cast<unsigned long long>(source_hash), source_size,
-                options.c_str(), platform_text(platform, CL_PLATFORM_NAME).c_str(),
-                platform_text(platform, CL_PLATFORM_VERSION).c_str(),
-                device_text(device, CL_DEVICE_NAME).c_str(),
-                device_text(device, CL_DEVICE_VERSION).c_str(),
+  return format("cache %u\nsource %016llx %zu\noptions %s\nplatform %s, %s\ndevice %s, %s, %s\n", format_version,
+                static_cast<unsigned long long>(source_hash), source_size, options.c_str(),
+                platform_text(platform, CL_PLATFORM_NAME).c_str(), platform_text(platform, CL_PLATFORM_VERSION).c_str(),
+                device_text(device, CL_DEVICE_NAME).c_str(), device_text(device, CL_DEVICE_VERSION).c_str(),
                 device_text(device, CL_DRIVER_VERSION).c_str());
 }
 
-std::string cache_path(const std::string &directory, const std::string &program,
-                       const std::string &key) {
+std::string cache_path(const std::string &directory, const std::string &program, const std::string &key) {
   return directory + "/" + program +
-         format("-%016llx.bin",
-                static_cast<unsigned long long>(hash_bytes(key.data(), key.size())));
+         format("-%016llx.bin", static_cast<unsigned long long>(hash_bytes(key.data(), key.size())));
 }
 
 Binary load_binary(const std::string &path, const std::string &key) noexcept {

@@ -23,12 +23,10 @@ uint64_t hash_bytes(const void *data, size_t size, uint64_t state = hash_seed);
 std::string environment_cache_directory();
 
 // Everything that a compiled program depends on, as text.
-std::string cache_key(cl_device_id device, uint64_t source_hash, size_t source_size,
-                      const std::string &options);
+std::string cache_key(cl_device_id device, uint64_t source_hash, size_t source_size, const std::string &options);
 
 // The file that a program with this key is kept in.
-std::string cache_path(const std::string &directory, const std::string &program,
-                       const std::string &key);
+std::string cache_path(const std::string &directory, const std::string &program, const std::string &key);
 
 // Reads the binary kept under `key`; an empty one if there is none or it is damaged.
 Binary load_binary(const std::string &path, const std::string &key) noexcept;

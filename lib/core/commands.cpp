@@ -22,8 +22,7 @@ size_t round_up(size_t value, size_t step) { return (value + step - 1) / step * 
 
 void require_inside(const tyn::Buffer &buffer, size_t bytes, size_t offset) {
   if (bytes > buffer.size() || offset > buffer.size() - bytes)
-    tyn::fail(TYN_ERROR_INTERNAL, "%zu bytes at %zu reach beyond a buffer of %zu bytes", bytes,
-              offset, buffer.size());
+    tyn::fail(TYN_ERROR_INTERNAL, "%zu bytes at %zu reach beyond a buffer of %zu bytes", bytes, offset, buffer.size());
 }
 
 } // namespace
@@ -34,8 +33,7 @@ tyn::Program &TynContext::find_program(const char *program) {
 }
 
 tyn::Program &TynContext::add_program(const tyn::KernelSource &source) {
-  auto program = std::make_unique<tyn::Program>(cl, device, source, tyn::build_options(device_info),
-                                                cache_directory);
+  auto program = std::make_unique<tyn::Program>(cl, device, source, tyn::build_options(device_info), cache_directory);
   return *(programs[source.name] = std::move(program));
 }
 
@@ -65,10 +63,8 @@ bool TynContext::from_cache(const char *program) const {
   return found != programs.end() && found->second->from_cache();
 }
 
-void TynContext::set_argument_bytes(cl_kernel kernel, cl_uint index, size_t size,
-                                    const void *value) {
-  tyn::check_cl(clSetKernelArg(kernel, index, size, value), "clSetKernelArg",
-                tyn::format("argument %u", index));
+void TynContext::set_argument_bytes(cl_kernel kernel, cl_uint index, size_t size, const void *value) {
+  tyn::check_cl(clSetKernelArg(kernel, index, size, value), "clSetKernelArg", tyn::format("argument %u", index));
 }
 
 void TynContext::enqueue(cl_kernel kernel, const char *name, size_t global, size_t local) {
@@ -78,26 +74,24 @@ void TynContext::enqueue(cl_kernel kernel, const char *name, size_t global, size
     local = choose_local(global);
   if (local != 0)
     global = round_up(global, local);
-  tyn::check_cl(clEnqueueNDRangeKernel(queue, kernel, 1, nullptr, &global, local ? &local : nullptr,
-                                       0, nullptr, nullptr),
-                "clEnqueueNDRangeKernel", name);
+  tyn::check_cl(
+      clEnqueueNDRangeKernel(queue, kernel, 1, nullptr, &global, local ? &local : nullptr, 0, nullptr, nullptr),
+      "clEnqueueNDRangeKernel", name);
 }
 
 void TynContext::read(cl_mem buffer, void *host, size_t bytes, size_t offset) {
   if (bytes == 0)
     return;
-  tyn::check_cl(
-      clEnqueueReadBuffer(queue, buffer, CL_TRUE, offset, bytes, host, 0, nullptr, nullptr),
-      "clEnqueueReadBuffer", tyn::format("%zu bytes", bytes));
+  tyn::check_cl(clEnqueueReadBuffer(queue, buffer, CL_TRUE, offset, bytes, host, 0, nullptr, nullptr),
+                "clEnqueueReadBuffer", tyn::format("%zu bytes", bytes));
 }
 
 void TynContext::write(const tyn::Buffer &buffer, const void *host, size_t bytes, size_t offset) {
   require_inside(buffer, bytes, offset);
   if (bytes == 0)
     return;
-  tyn::check_cl(
-      clEnqueueWriteBuffer(queue, buffer.get(), CL_TRUE, offset, bytes, host, 0, nullptr, nullptr),
-      "clEnqueueWriteBuffer", tyn::format("%zu bytes", bytes));
+  tyn::check_cl(clEnqueueWriteBuffer(queue, buffer.get(), CL_TRUE, offset, bytes, host, 0, nullptr, nullptr),
+                "clEnqueueWriteBuffer", tyn::format("%zu bytes", bytes));
 }
 
 void TynContext::fill_zero(const tyn::Buffer &buffer) {
@@ -105,8 +99,7 @@ void TynContext::fill_zero(const tyn::Buffer &buffer) {
     return;
   const cl_uint zero = 0;
   const size_t pattern = buffer.size() % sizeof zero == 0 ? sizeof zero : 1;
-  tyn::check_cl(clEnqueueFillBuffer(queue, buffer.get(), &zero, pattern, 0, buffer.size(), 0,
-                                    nullptr, nullptr),
+  tyn::check_cl(clEnqueueFillBuffer(queue, buffer.get(), &zero, pattern, 0, buffer.size(), 0, nullptr, nullptr),
                 "clEnqueueFillBuffer", tyn::format("%zu bytes", buffer.size()));
 }
 

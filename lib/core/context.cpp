@@ -22,8 +22,7 @@ uint32_t choose_lanes(uint32_t wanted, uint32_t by_device) {
   case 16:
     return wanted;
   default:
-    tyn::fail(TYN_ERROR_INVALID_ARGUMENT,
-              "TynContextOptions::lane_width is %u; allowed: 0, 1, 4, 8, 16", wanted);
+    tyn::fail(TYN_ERROR_INVALID_ARGUMENT, "TynContextOptions::lane_width is %u; allowed: 0, 1, 4, 8, 16", wanted);
   }
 }
 
@@ -40,8 +39,7 @@ std::string choose_cache_directory(const char *wanted, cl_device_id device) {
 template <class T>
 T queue_value(cl_command_queue queue, cl_command_queue_info parameter) {
   T value{};
-  tyn::check_cl(clGetCommandQueueInfo(queue, parameter, sizeof value, &value, nullptr),
-                "clGetCommandQueueInfo");
+  tyn::check_cl(clGetCommandQueueInfo(queue, parameter, sizeof value, &value, nullptr), "clGetCommandQueueInfo");
   return value;
 }
 
@@ -62,13 +60,11 @@ TynContext::~TynContext() {
 }
 
 TynContext *TynContext::create(const TynContextOptions &options) {
-  const char *wanted =
-      options.device && options.device[0] ? options.device : std::getenv("TYNDALL_DEVICE");
+  const char *wanted = options.device && options.device[0] ? options.device : std::getenv("TYNDALL_DEVICE");
   const std::vector<tyn::Device> devices = tyn::list_devices();
   const tyn::Device &chosen = tyn::choose_device(devices, wanted);
 
-  std::unique_ptr<TynContext, void (*)(TynContext *)> context(new TynContext,
-                                                              [](TynContext *c) { delete c; });
+  std::unique_ptr<TynContext, void (*)(TynContext *)> context(new TynContext, [](TynContext *c) { delete c; });
   context->device = chosen.id;
   context->setup(options);
   cl_int code = CL_SUCCESS;
@@ -79,8 +75,7 @@ TynContext *TynContext::create(const TynContextOptions &options) {
   return context.release();
 }
 
-TynContext *TynContext::create(const TynContextOptions &options, cl_context cl,
-                               cl_command_queue queue) {
+TynContext *TynContext::create(const TynContextOptions &options, cl_context cl, cl_command_queue queue) {
   if (!cl)
     tyn::fail(TYN_ERROR_INVALID_ARGUMENT, "the cl_context is NULL");
   if (!queue)
@@ -89,11 +84,9 @@ TynContext *TynContext::create(const TynContextOptions &options, cl_context cl,
     tyn::fail(TYN_ERROR_INVALID_ARGUMENT, "the cl_command_queue belongs to another cl_context");
   const auto properties = queue_value<cl_command_queue_properties>(queue, CL_QUEUE_PROPERTIES);
   if (properties & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE)
-    tyn::fail(TYN_ERROR_INVALID_ARGUMENT,
-              "the cl_command_queue is out of order; only in-order queues are supported");
+    tyn::fail(TYN_ERROR_INVALID_ARGUMENT, "the cl_command_queue is out of order; only in-order queues are supported");
 
-  std::unique_ptr<TynContext, void (*)(TynContext *)> context(new TynContext,
-                                                              [](TynContext *c) { delete c; });
+  std::unique_ptr<TynContext, void (*)(TynContext *)> context(new TynContext, [](TynContext *c) { delete c; });
   context->device = queue_value<cl_device_id>(queue, CL_QUEUE_DEVICE);
   context->setup(options);
   tyn::check_cl(clRetainContext(cl), "clRetainContext");
@@ -119,9 +112,7 @@ void TynContext::release() {
     delete this;
 }
 
-uint64_t TynContext::memory_available() const {
-  return memory_limit > memory_used ? memory_limit - memory_used : 0;
-}
+uint64_t TynContext::memory_available() const { return memory_limit > memory_used ? memory_limit - memory_used : 0; }
 
 uint64_t TynContext::largest_buffer() const {
   const auto largest = tyn::device_value<cl_ulong>(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE);

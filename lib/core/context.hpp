@@ -22,8 +22,7 @@ namespace tyn {
 class Buffer {
 public:
   Buffer() = default;
-  Buffer(TynContext &owner, size_t wanted, cl_mem_flags flags = CL_MEM_READ_WRITE,
-         const void *initial = nullptr);
+  Buffer(TynContext &owner, size_t wanted, cl_mem_flags flags = CL_MEM_READ_WRITE, const void *initial = nullptr);
   Buffer(Buffer &&other) noexcept;
   Buffer &operator=(Buffer &&other) noexcept;
   Buffer(const Buffer &) = delete;
@@ -55,8 +54,7 @@ struct KernelSource;
 struct TynContext {
   // Throws tyn::Failure. The second one works on the caller's objects, which it retains.
   static TynContext *create(const TynContextOptions &options);
-  static TynContext *create(const TynContextOptions &options, cl_context cl,
-                            cl_command_queue queue);
+  static TynContext *create(const TynContextOptions &options, cl_context cl, cl_command_queue queue);
   void retain();
   void release();
 
@@ -66,8 +64,7 @@ struct TynContext {
   // better: PoCL compiles a kernel anew for each local size. Arguments are scalars and shared
   // structs by value, tyn::Buffer, cl_mem, or tyn::Local.
   template <class... Arguments>
-  void launch(const char *program, const char *name, size_t global, size_t local,
-              const Arguments &...arguments) {
+  void launch(const char *program, const char *name, size_t global, size_t local, const Arguments &...arguments) {
     cl_kernel kernel = find_kernel(program, name);
     cl_uint index = 0;
     (set_argument(kernel, index++, arguments), ...);

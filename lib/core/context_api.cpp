@@ -15,8 +15,8 @@ TynContextOptions complete(const TynContextOptions *options) {
   if (!options)
     return result;
   if (options->size < sizeof options->size)
-    tyn::fail(TYN_ERROR_INVALID_ARGUMENT,
-              "TynContextOptions::size is %zu; start from tyn_context_options()", options->size);
+    tyn::fail(TYN_ERROR_INVALID_ARGUMENT, "TynContextOptions::size is %zu; start from tyn_context_options()",
+              options->size);
   std::memcpy(&result, options, std::min(options->size, sizeof result));
   result.size = sizeof result;
   return result;
@@ -71,15 +71,13 @@ TynStatus tyn_device_info(uint32_t index, TynDeviceInfo *info) {
 }
 
 TynStatus tyn_context_create(const TynContextOptions *options, TynContext **context) {
-  return create(options, context,
-                [](const TynContextOptions &complete) { return TynContext::create(complete); });
+  return create(options, context, [](const TynContextOptions &complete) { return TynContext::create(complete); });
 }
 
-TynStatus tyn_context_create_cl(const TynContextOptions *options, cl_context cl,
-                                cl_command_queue queue, TynContext **context) {
-  return create(options, context, [&](const TynContextOptions &complete) {
-    return TynContext::create(complete, cl, queue);
-  });
+TynStatus tyn_context_create_cl(const TynContextOptions *options, cl_context cl, cl_command_queue queue,
+                                TynContext **context) {
+  return create(options, context,
+                [&](const TynContextOptions &complete) { return TynContext::create(complete, cl, queue); });
 }
 
 void tyn_context_retain(TynContext *context) {
@@ -92,9 +90,7 @@ void tyn_context_release(TynContext *context) {
     context->release();
 }
 
-const char *tyn_context_message(const TynContext *context) {
-  return context ? context->message.c_str() : "";
-}
+const char *tyn_context_message(const TynContext *context) { return context ? context->message.c_str() : ""; }
 
 TynStatus tyn_context_device(const TynContext *context, TynDeviceInfo *info) {
   if (!context || !info)
@@ -110,8 +106,7 @@ TynStatus tyn_context_fail(TynContext *context, TynStatus status, const char *me
   return status;
 }
 
-TynStatus tyn_context_cl(const TynContext *context, cl_context *cl, cl_command_queue *queue,
-                         cl_device_id *device) {
+TynStatus tyn_context_cl(const TynContext *context, cl_context *cl, cl_command_queue *queue, cl_device_id *device) {
   if (!context)
     return TYN_ERROR_INVALID_ARGUMENT;
   if (cl)

@@ -50,8 +50,7 @@ std::vector<cl_device_id> platform_devices(cl_platform_id platform) {
 }
 
 bool is_usable(cl_device_id id) {
-  return device_value<cl_bool>(id, CL_DEVICE_AVAILABLE) &&
-         device_value<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE);
+  return device_value<cl_bool>(id, CL_DEVICE_AVAILABLE) && device_value<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE);
 }
 
 // GPUs first, then CPUs, then what is neither.
@@ -83,8 +82,7 @@ size_t parse_index(const std::string &text, size_t none) {
 std::string list_text(const std::vector<Device> &devices) {
   std::string text;
   for (size_t i = 0; i < devices.size(); ++i)
-    text +=
-        format("%s%zu: %s (%s)", i ? ", " : "", i, devices[i].info.name, devices[i].info.platform);
+    text += format("%s%zu: %s (%s)", i ? ", " : "", i, devices[i].info.name, devices[i].info.platform);
   return text;
 }
 
@@ -117,16 +115,14 @@ std::vector<Device> list_devices() {
       }
     }
   }
-  std::stable_sort(devices.begin(), devices.end(),
-                   [](const Device &a, const Device &b) { return rank(a) < rank(b); });
+  std::stable_sort(devices.begin(), devices.end(), [](const Device &a, const Device &b) { return rank(a) < rank(b); });
   return devices;
 }
 
 const Device &choose_device(const std::vector<Device> &devices, const char *wanted) {
   if (devices.empty())
-    fail(TYN_ERROR_NO_DEVICE,
-         "no OpenCL device was found; install an OpenCL driver, e.g. PoCL for the CPU "
-         "(Debian and Ubuntu: apt install pocl-opencl-icd)");
+    fail(TYN_ERROR_NO_DEVICE, "no OpenCL device was found; install an OpenCL driver, e.g. PoCL for the CPU "
+                              "(Debian and Ubuntu: apt install pocl-opencl-icd)");
   const std::string text = wanted ? wanted : "";
   const size_t index = parse_index(text, devices.size());
   if (index < devices.size())
@@ -134,8 +130,7 @@ const Device &choose_device(const std::vector<Device> &devices, const char *want
   for (const Device &device : devices)
     if (matches(device, lower(text)))
       return device;
-  fail(TYN_ERROR_NO_DEVICE, "no OpenCL device matches \"%s\"; there are: %s", text.c_str(),
-       list_text(devices).c_str());
+  fail(TYN_ERROR_NO_DEVICE, "no OpenCL device matches \"%s\"; there are: %s", text.c_str(), list_text(devices).c_str());
 }
 
 } // namespace tyn

@@ -27,8 +27,8 @@ std::string trimmed(const std::string &text) {
 
 } // namespace
 
-#define TYN_CODE(name)                                                                             \
-  case name:                                                                                       \
+#define TYN_CODE(name)                                                                                                 \
+  case name:                                                                                                           \
     return #name
 
 const char *cl_code_name(cl_int code) {
@@ -104,8 +104,8 @@ const char *cl_code_name(cl_int code) {
 void check_cl(cl_int code, const char *call, const std::string &detail) {
   if (code == CL_SUCCESS)
     return;
-  fail(status_of(code), "%s%s%s failed: %s (%d)", call, detail.empty() ? "" : " for ",
-       detail.c_str(), cl_code_name(code), code);
+  fail(status_of(code), "%s%s%s failed: %s (%d)", call, detail.empty() ? "" : " for ", detail.c_str(),
+       cl_code_name(code), code);
 }
 
 std::string platform_text(cl_platform_id platform, cl_platform_info parameter) {

@@ -15,8 +15,7 @@ std::string build_log(cl_program program, cl_device_id device) {
   if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &size) != CL_SUCCESS)
     return {};
   std::string log(size, '\0');
-  if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, size, &log[0], nullptr) !=
-      CL_SUCCESS)
+  if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, size, &log[0], nullptr) != CL_SUCCESS)
     return {};
   log.resize(std::strlen(log.c_str()));
   return log;
@@ -29,8 +28,7 @@ Binary get_binary(cl_program program) {
     return {};
   Binary binary(size);
   unsigned char *data = binary.data();
-  if (size == 0 ||
-      clGetProgramInfo(program, CL_PROGRAM_BINARIES, sizeof data, &data, nullptr) != CL_SUCCESS)
+  if (size == 0 || clGetProgramInfo(program, CL_PROGRAM_BINARIES, sizeof data, &data, nullptr) != CL_SUCCESS)
     return {};
   return binary;
 }
@@ -45,8 +43,7 @@ const KernelSource &find_source(const char *name) {
 }
 
 std::string build_options(const TynDeviceInfo &device) {
-  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s", device.lane_width,
-                device.is_gpu ? " -D TYN_GPU=1" : "");
+  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s", device.lane_width, device.is_gpu ? " -D TYN_GPU=1" : "");
 }
 
 bool is_pocl(cl_device_id device) {
@@ -54,8 +51,8 @@ bool is_pocl(cl_device_id device) {
   return platform_text(platform, CL_PLATFORM_NAME) == "Portable Computing Language";
 }
 
-Program::Program(cl_context cl, cl_device_id target, const KernelSource &source,
-                 const std::string &options, const std::string &cache_directory)
+Program::Program(cl_context cl, cl_device_id target, const KernelSource &source, const std::string &options,
+                 const std::string &cache_directory)
     : device(target) {
   if (!cache_directory.empty()) {
     key = cache_key(device, source.hash, source.size, options);
@@ -100,8 +97,7 @@ bool Program::load(cl_context cl, const std::string &options) {
 
 void Program::compile(cl_context cl, const KernelSource &source, const std::string &options) {
   cl_int code = CL_SUCCESS;
-  program = clCreateProgramWithSource(cl, 1, const_cast<const char **>(&source.text), &source.size,
-                                      &code);
+  program = clCreateProgramWithSource(cl, 1, const_cast<const char **>(&source.text), &source.size, &code);
   check_cl(code, "clCreateProgramWithSource", source.name);
   code = clBuildProgram(program, 1, &device, options.c_str(), nullptr, nullptr);
   if (code == CL_SUCCESS)
@@ -109,9 +105,8 @@ void Program::compile(cl_context cl, const KernelSource &source, const std::stri
   const std::string log = build_log(program, device);
   clReleaseProgram(program);
   program = nullptr;
-  fail(TYN_ERROR_KERNEL_BUILD,
-       "the kernels of \"%s\" did not compile on %s with options \"%s\": %s (%d)\n%s", source.name,
-       device_text(device, CL_DEVICE_NAME).c_str(), options.c_str(), cl_code_name(code), code,
+  fail(TYN_ERROR_KERNEL_BUILD, "the kernels of \"%s\" did not compile on %s with options \"%s\": %s (%d)\n%s",
+       source.name, device_text(device, CL_DEVICE_NAME).c_str(), options.c_str(), cl_code_name(code), code,
        log.c_str());
 }
 

@@ -24,8 +24,8 @@ bool is_pocl(cl_device_id device);
 class Program {
 public:
   // Throws KERNEL_BUILD with device, options and build log. `cache_directory`: "" for no cache.
-  Program(cl_context cl, cl_device_id target, const KernelSource &source,
-          const std::string &options, const std::string &cache_directory);
+  Program(cl_context cl, cl_device_id target, const KernelSource &source, const std::string &options,
+          const std::string &cache_directory);
   Program(const Program &) = delete;
   Program &operator=(const Program &) = delete;
   // Stores what was compiled since.

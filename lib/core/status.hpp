@@ -19,8 +19,7 @@ public:
 };
 
 // Throws a Failure with a printf-formatted message.
-[[noreturn]] void fail(TynStatus status, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+[[noreturn]] void fail(TynStatus status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // printf into a string.
 std::string format(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -20,8 +20,7 @@ struct Lengths {
 
 Lengths lengths_of(double sigma_a, double sigma_s, double g) {
   const double transport = sigma_a + sigma_s * (1.0 - g);
-  return {length_of(sigma_a + sigma_s), length_of(transport),
-          length_of(std::sqrt(3.0 * sigma_a * transport))};
+  return {length_of(sigma_a + sigma_s), length_of(transport), length_of(std::sqrt(3.0 * sigma_a * transport))};
 }
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
@@ -44,8 +43,8 @@ void describe_channel(const TynMedium &medium, int channel, double mm_per_unit, 
 
 } // namespace
 
-TynStatus tyn_medium_describe(const TynMedium *medium, double metres_per_unit,
-                              double reference_length, TynMediumDescription *description) {
+TynStatus tyn_medium_describe(const TynMedium *medium, double metres_per_unit, double reference_length,
+                              TynMediumDescription *description) {
   if (!medium || !description || !is_positive(metres_per_unit) || !is_positive(reference_length))
     return TYN_ERROR_INVALID_ARGUMENT;
   try {

@@ -10,32 +10,28 @@ namespace {
 
 void require_coefficient(const char *field, int channel, float value) {
   if (!std::isfinite(value) || value < 0.0f)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::%s[%d] is %g; allowed: finite, >= 0", field,
-         channel, static_cast<double>(value));
+    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::%s[%d] is %g; allowed: finite, >= 0", field, channel,
+         static_cast<double>(value));
 }
 
 } // namespace
 
 void validate(const TynMedium &medium) {
   if (medium.size < sizeof(TynMedium))
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::size is %zu; start from tyn_medium()",
-         medium.size);
+    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::size is %zu; start from tyn_medium()", medium.size);
   for (int channel = 0; channel < 3; ++channel) {
     const float absorption = medium.sigma_a[channel];
     const float scattering = medium.sigma_s[channel];
     require_coefficient("sigma_a", channel, absorption);
     require_coefficient("sigma_s", channel, scattering);
     if (!std::isfinite(absorption + scattering))
-      fail(TYN_ERROR_INVALID_ARGUMENT,
-           "TynMedium::sigma_a[%d] + sigma_s[%d] is %g + %g; allowed: a finite sum", channel,
-           channel, static_cast<double>(absorption), static_cast<double>(scattering));
+      fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::sigma_a[%d] + sigma_s[%d] is %g + %g; allowed: a finite sum",
+           channel, channel, static_cast<double>(absorption), static_cast<double>(scattering));
   }
   if (!(medium.g > -1.0f && medium.g < 1.0f))
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::g is %g; allowed: -1 < g < 1",
-         static_cast<double>(medium.g));
+    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::g is %g; allowed: -1 < g < 1", static_cast<double>(medium.g));
   if (!(medium.ior >= 1.0f && medium.ior <= 4.0f))
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::ior is %g; allowed: 1 to 4",
-         static_cast<double>(medium.ior));
+    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::ior is %g; allowed: 1 to 4", static_cast<double>(medium.ior));
 }
 
 } // namespace tyn

@@ -26,7 +26,8 @@
  *   one thread at a time. A committed scene is never written to. Progress callbacks arrive on the calling thread.
  * Environment
  *   TYNDALL_DEVICE     device index or part of its name, when the options name none
- *   TYNDALL_CACHE_DIR  folder of the compiled-kernel cache (default: $XDG_CACHE_HOME/tyndall, then ~/.cache/tyndall); empty: no cache
+ *   TYNDALL_CACHE_DIR  folder of the compiled-kernel cache (default: $XDG_CACHE_HOME/tyndall, then ~/.cache/tyndall); empty: no
+ *                      cache. PoCL keeps a cache of its own; on it this one is used only if a folder is named.
  */
 #ifndef TYNDALL_H
 #define TYNDALL_H
