@@ -308,6 +308,8 @@ static void walk_weight_flight(Walks *walks, LaneFloat t, LaneInt at_surface) {
   LaneFloat scale = sum / mean;
   for (int c = 0; c < 3; ++c) {
     LaneFloat weight = lane_choose(coloured, walks->weight[c].all * f[c] * scale, walks->weight[c].all);
+    // weights stay clear of the denormal numbers, which are slow and would see the scale of the scene
+    weight = lane_choose(lane_lt(weight, (LaneFloat)(1e-30f)), (LaneFloat)(0.0f), weight);
     walks->balance[c].all += walks->weight[c].all - weight;
     walks->weight[c].all = weight;
   }
