@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// tyn_gltf_load: everything is read and checked before the first thing is added.
+#include "io/gltf_scene.hpp"
+
+namespace tyn::io {
+namespace {
+
+using Indices = std::vector<uint32_t>;
+
+const char *name_or_null(const std::string &name) { return name.empty() ? nullptr : name.c_str(); }
+
+Indices add_images(TynScene *scene, const std::vector<LoadedImage> &images) {
+  Indices indices;
+  for (const LoadedImage &loaded : images) {
+    TynImage image = tyn_image();
+    image.name = name_or_null(loaded.name);
+    image.width = loaded.width;
+    image.height = loaded.height;
+    image.format = loaded.format;
+    image.pixels = loaded.pixels.data();
+    indices.push_back(0);
+    require_ok(tyn_scene_context(scene), tyn_scene_add_image(scene, &image, &indices.back()));
+  }
+  return indices;
+}
+
+Indices add_media(TynScene *scene, const std::vector<Named<TynMedium>> &media) {
+  Indices indices;
+  for (const Named<TynMedium> &loaded : media) {
+    TynMedium medium = loaded.value;
+    medium.name = name_or_null(loaded.name);
+    indices.push_back(0);
+    require_ok(tyn_scene_context(scene), tyn_scene_add_medium(scene, &medium, &indices.back()));
+  }
+  return indices;
+}
+
+Indices add_materials(TynScene *scene, const std::vector<Named<TynMaterial>> &materials, const Indices &images) {
+  Indices indices;
+  for (const Named<TynMaterial> &loaded : materials) {
+    TynMaterial material = loaded.value;
+    material.name = name_or_null(loaded.name);
+    for (TynTexture *texture :
+         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+          &material.emission_texture, &material.transmission_texture, &material.multiscatter_color_texture,
+          &material.scatter_strength_texture})
+      if (texture->image != TYN_NONE)
+        texture->image = images[texture->image];
+    indices.push_back(0);
+    require_ok(tyn_scene_context(scene), tyn_scene_add_material(scene, &material, &indices.back()));
+  }
+  return indices;
+}
+
+void warn_if_open(TynScene *scene, uint32_t index, const LoadedMesh &loaded, Warnings &warnings) {
+  TynMeshInfo info;
+  info.size = sizeof info;
+  if (loaded.medium == TYN_NONE || tyn_scene_mesh_info(scene, index, &info) != TYN_OK || info.closed)
+    return;
+  warnings.add("mesh \"%s\" holds a medium, but is not closed: it has %u boundary edges and %u edges of more than two "
+               "triangles; what leaks out is in the ledger",
+               printable(loaded.name).c_str(), info.boundary_edges, info.nonmanifold_edges);
+}
+
+void add_mesh(TynScene *scene, LoadedMesh &loaded, const Indices &media, const Indices &materials, Warnings &warnings) {
+  for (uint32_t &material : loaded.triangle_materials)
+    material = materials[material];
+  TynMesh mesh = tyn_mesh();
+  mesh.name = name_or_null(loaded.name);
+  mesh.positions = loaded.positions.data();
+  mesh.vertex_count = uint32_t(loaded.positions.size() / 3);
+  mesh.normals = loaded.normals.empty() ? nullptr : loaded.normals.data();
+  mesh.uvs = loaded.uvs.empty() ? nullptr : loaded.uvs.data();
+  mesh.indices = loaded.indices.data();
+  mesh.triangle_count = uint32_t(loaded.indices.size() / 3);
+  mesh.medium = loaded.medium == TYN_NONE ? TYN_NONE : media[loaded.medium];
+  mesh.material = loaded.triangle_materials[0];
+  mesh.triangle_materials = loaded.triangle_materials.data();
+  uint32_t index = 0;
+  require_ok(tyn_scene_context(scene), tyn_scene_add_mesh(scene, &mesh, &index));
+  warn_if_open(scene, index, loaded, warnings);
+  loaded = LoadedMesh(); // the scene has its copy
+}
+
+void add_all(TynScene *scene, LoadedScene &loaded, Warnings &warnings) {
+  TynContext *context = tyn_scene_context(scene);
+  const Indices images = add_images(scene, loaded.images);
+  const Indices media = add_media(scene, loaded.media);
+  const Indices materials = add_materials(scene, loaded.materials, images);
+  for (LoadedMesh &mesh : loaded.meshes)
+    add_mesh(scene, mesh, media, materials, warnings);
+  for (Named<TynLight> &light : loaded.lights) {
+    light.value.name = name_or_null(light.name);
+    require_ok(context, tyn_scene_add_light(scene, &light.value, nullptr));
+  }
+  for (Named<TynCamera> &camera : loaded.cameras) {
+    camera.value.name = name_or_null(camera.name);
+    require_ok(context, tyn_scene_add_camera(scene, &camera.value, nullptr));
+  }
+}
+
+void check_scene(TynScene *scene) {
+  TynSceneInfo info;
+  info.size = sizeof info;
+  require_ok(tyn_scene_context(scene), tyn_scene_info(scene, &info));
+  if (info.metres_per_unit != 1)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "the scene's metres_per_unit is %g; glTF needs 1", info.metres_per_unit);
+}
+
+void load(TynScene *scene, const char *path, const TynGltfOptions *given) {
+  if (!path)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "path is NULL");
+  const TynGltfOptions options = copy_options("TynGltfOptions", given, tyn_gltf_options());
+  check_scene(scene);
+  Warnings warnings(options.warning, options.user);
+  LoadedScene loaded;
+  try {
+    loaded = read_gltf(path, options, warnings);
+  } catch (const Failure &failure) {
+    // Every message names the file once.
+    const std::string message = failure.what();
+    const bool named = message.find(printable(path)) != std::string::npos || failure.status == TYN_ERROR_INVALID_ARGUMENT;
+    throw Failure(failure.status, named ? message : printable(path) + ": " + message);
+  }
+  add_all(scene, loaded, warnings);
+}
+
+} // namespace
+} // namespace tyn::io
+
+TynStatus tyn_gltf_load(TynScene *scene, const char *path, const TynGltfOptions *options) {
+  return tyn::io::guarded(tyn_scene_context(scene), [&] { tyn::io::load(scene, path, options); });
+}
