@@ -24,6 +24,9 @@ if(TYN_BUILD_IO)
   pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR>=3)
   find_package(PNG REQUIRED)
   find_package(meshoptimizer CONFIG REQUIRED)
+endif()
+
+if(TYN_BUILD_IO OR TYN_BUILD_SAMPLES)
   find_package(nlohmann_json 3 CONFIG REQUIRED)
 endif()
 

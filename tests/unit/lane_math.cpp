@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// The error bounds that kernels/lane_math.clh states, against libm in double precision.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "common/opencl_shim.hpp"
+
+namespace {
+
+using namespace tyn_kernel;
+
+double ulp(double value) {
+  float nearest = std::fabs(static_cast<float>(value));
+  return std::nextafter(nearest, INFINITY) - double(nearest);
+}
+
+// Error of lane_log over what is allowed.
+double log_error(float x) {
+  double exact = std::log(double(x));
+  return std::abs(lane_log(x) - exact) / std::max(2 * ulp(exact), 1e-7);
+}
+
+double exp_error_in_ulp(float x) {
+  double exact = std::exp(double(x));
+  return std::abs(lane_exp(x) - exact) / ulp(exact);
+}
+
+TEST(LaneLog, KeepsItsBoundOverAllExponents) {
+  double worst = 0;
+  for (uint32_t bits = 0x00800000u; bits <= 0x7f000000u; bits += 1021)
+    worst = std::max(worst, log_error(as_float(bits)));
+  EXPECT_LT(worst, 1) << "of the bound of 2 ulp or 1e-7";
+}
+
+TEST(LaneLog, KeepsItsBoundAroundOne) {
+  double worst = 0;
+  for (uint32_t bits = as_uint(0.5f); bits <= as_uint(2.0f); bits += 13)
+    worst = std::max(worst, log_error(as_float(bits)));
+  EXPECT_LT(worst, 1);
+  EXPECT_EQ(lane_log(1.0f), 0.0f);
+}
+
+TEST(LaneLog, KeepsItsBoundAtRandomArguments) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<uint32_t> bits(0x00800000u, 0x7f000000u);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i)
+    worst = std::max(worst, log_error(as_float(bits(random))));
+  EXPECT_LT(worst, 1);
+}
+
+TEST(LaneLog, OfEveryUniformNumberIsAFiniteFreeFlight) {
+  for (uint32_t bits : {0u, 1u, 511u, 0x7fffffffu, 0xfffffffeu, 0xffffffffu}) {
+    float flight = -lane_log(lane_uniform_fine(bits));
+    EXPECT_TRUE(std::isfinite(flight)) << bits;
+    EXPECT_GE(flight, 0.0f) << bits;
+  }
+  EXPECT_NEAR(-lane_log(lane_uniform_fine(0)), 33 * std::log(2.0), 1e-5);
+}
+
+TEST(LaneExp, KeepsItsBoundOverItsRange) {
+  double worst = 0;
+  for (int i = 0; i <= 2000000; ++i)
+    worst = std::max(worst, exp_error_in_ulp(-87.0f * static_cast<float>(i) / 2000000.0f));
+  EXPECT_LT(worst, 2);
+}
+
+TEST(LaneExp, KeepsItsBoundAtRandomArgumentsOfAllMagnitudes) {
+  std::mt19937 random(2);
+  std::uniform_int_distribution<uint32_t> bits(as_uint(1e-30f), as_uint(87.0f));
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i)
+    worst = std::max(worst, exp_error_in_ulp(-as_float(bits(random))));
+  EXPECT_LT(worst, 2);
+}
+
+TEST(LaneExp, IsOneAtZeroAndZeroFarOut) {
+  EXPECT_EQ(lane_exp(0.0f), 1.0f);
+  EXPECT_EQ(lane_exp(-0.0f), 1.0f);
+  EXPECT_EQ(lane_exp(std::nextafter(-87.0f, -100.0f)), 0.0f);
+  EXPECT_EQ(lane_exp(-1e30f), 0.0f);
+  EXPECT_EQ(lane_exp(-INFINITY), 0.0f);
+}
+
+TEST(LaneSincos, KeepsItsBoundOverTheWholeTurn) {
+  const int steps = 1 << 21;
+  const double two_pi = 6.283185307179586476925;
+  double worst = 0;
+  for (int i = 0; i <= steps; ++i) {
+    float u = static_cast<float>(i) / static_cast<float>(steps), sine, cosine;
+    lane_sincos_turn(u, &sine, &cosine);
+    worst = std::max({worst, std::abs(sine - std::sin(two_pi * u)), std::abs(cosine - std::cos(two_pi * u))});
+  }
+  EXPECT_LT(worst, 2e-7);
+}
+
+TEST(LaneSincos, IsExactAtQuarterTurns) {
+  const float expected[5][2] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}};
+  for (int quarter = 0; quarter <= 4; ++quarter) {
+    float sine, cosine;
+    lane_sincos_turn(0.25f * static_cast<float>(quarter), &sine, &cosine);
+    EXPECT_EQ(sine, expected[quarter][0]) << quarter;
+    EXPECT_EQ(cosine, expected[quarter][1]) << quarter;
+  }
+}
+
+} // namespace

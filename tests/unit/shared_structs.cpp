@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// Host and device must agree on every record that both read: a kernel made from the embedded sources reports its sizes and
+// offsets. The records and their fields are found in those sources, so that none can be forgotten here.
+#include <cstddef>
+#include <map>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/walk_scene.hpp"
+#include "core/context.hpp"
+#include "core/kernels.hpp"
+#include "kernels/shared.h"
+#include "kernels/shared_render.h"
+
+namespace {
+
+// "Record" and its size, or "Record.field" and its offset.
+using Layout = std::map<std::string, size_t>;
+
+#define RECORD(type) {#type, sizeof(type)}
+#define FIELD(type, field) {#type "." #field, offsetof(type, field)}
+
+const Layout &host_layout() {
+  static const Layout layout = {
+      // clang-format off
+      RECORD(TynRay),
+      FIELD(TynRay, origin), FIELD(TynRay, t_min), FIELD(TynRay, direction), FIELD(TynRay, t_max),
+
+      RECORD(TynHit),
+      FIELD(TynHit, t), FIELD(TynHit, u), FIELD(TynHit, v), FIELD(TynHit, mesh),
+      FIELD(TynHit, triangle), FIELD(TynHit, normal),
+
+      RECORD(TynWalkEntry),
+      FIELD(TynWalkEntry, position), FIELD(TynWalkEntry, kind), FIELD(TynWalkEntry, direction),
+      FIELD(TynWalkEntry, mesh), FIELD(TynWalkEntry, weight), FIELD(TynWalkEntry, triangle),
+      FIELD(TynWalkEntry, albedo), FIELD(TynWalkEntry, medium), FIELD(TynWalkEntry, sigma_t),
+      FIELD(TynWalkEntry, reserved), FIELD(TynWalkEntry, roughness), FIELD(TynWalkEntry, path),
+      FIELD(TynWalkEntry, reserved2),
+
+      RECORD(TynWalkExit),
+      FIELD(TynWalkExit, position), FIELD(TynWalkExit, status), FIELD(TynWalkExit, direction),
+      FIELD(TynWalkExit, triangle), FIELD(TynWalkExit, weight), FIELD(TynWalkExit, scatterings),
+      FIELD(TynWalkExit, geometric_normal), FIELD(TynWalkExit, path_length),
+      FIELD(TynWalkExit, shading_normal), FIELD(TynWalkExit, u), FIELD(TynWalkExit, uv),
+      FIELD(TynWalkExit, v), FIELD(TynWalkExit, reserved),
+
+      RECORD(TynBvhNode),
+      FIELD(TynBvhNode, bounds), FIELD(TynBvhNode, child),
+
+      RECORD(TynTriangleBlock),
+      FIELD(TynTriangleBlock, position), FIELD(TynTriangleBlock, triangle),
+
+      RECORD(TynTriangleRecord),
+      FIELD(TynTriangleRecord, vertex), FIELD(TynTriangleRecord, mesh),
+      FIELD(TynTriangleRecord, material),
+
+      RECORD(TynMeshRecord),
+      FIELD(TynMeshRecord, root), FIELD(TynMeshRecord, first_triangle),
+      FIELD(TynMeshRecord, triangle_count), FIELD(TynMeshRecord, medium), FIELD(TynMeshRecord, flags),
+      FIELD(TynMeshRecord, slack), FIELD(TynMeshRecord, lower), FIELD(TynMeshRecord, upper),
+
+      RECORD(TynMediumRecord),
+      FIELD(TynMediumRecord, sigma_t), FIELD(TynMediumRecord, g), FIELD(TynMediumRecord, albedo),
+      FIELD(TynMediumRecord, ior),
+
+      RECORD(TynWalkParameters),
+      FIELD(TynWalkParameters, seed), FIELD(TynWalkParameters, first_path),
+      FIELD(TynWalkParameters, count), FIELD(TynWalkParameters, max_scatterings),
+      FIELD(TynWalkParameters, roulette_threshold), FIELD(TynWalkParameters, mesh_count),
+      FIELD(TynWalkParameters, medium_count), FIELD(TynWalkParameters, triangle_count),
+      FIELD(TynWalkParameters, slice), FIELD(TynWalkParameters, reserved),
+
+      RECORD(TynWalkTally),
+      FIELD(TynWalkTally, reflected), FIELD(TynWalkTally, absorbed), FIELD(TynWalkTally, balance),
+
+      RECORD(TynImageRecord),
+      FIELD(TynImageRecord, width), FIELD(TynImageRecord, height), FIELD(TynImageRecord, format),
+      FIELD(TynImageRecord, first),
+
+      RECORD(TynTextureRecord),
+      FIELD(TynTextureRecord, image), FIELD(TynTextureRecord, wrap_u),
+      FIELD(TynTextureRecord, wrap_v), FIELD(TynTextureRecord, filter),
+      FIELD(TynTextureRecord, transform),
+
+      RECORD(TynMaterialRecord),
+      FIELD(TynMaterialRecord, base_color), FIELD(TynMaterialRecord, metallic),
+      FIELD(TynMaterialRecord, emission), FIELD(TynMaterialRecord, roughness),
+      FIELD(TynMaterialRecord, multiscatter_color), FIELD(TynMaterialRecord, transmission),
+      FIELD(TynMaterialRecord, thin_color), FIELD(TynMaterialRecord, thin_scatter),
+      FIELD(TynMaterialRecord, thin_forward), FIELD(TynMaterialRecord, ior),
+      FIELD(TynMaterialRecord, transmittance), FIELD(TynMaterialRecord, emission_density),
+      FIELD(TynMaterialRecord, normal_scale), FIELD(TynMaterialRecord, scatter_strength),
+      FIELD(TynMaterialRecord, flags), FIELD(TynMaterialRecord, textures),
+
+      RECORD(TynRenderMedium),
+      FIELD(TynRenderMedium, color), FIELD(TynRenderMedium, transmittance),
+
+      RECORD(TynEmitterRecord),
+      FIELD(TynEmitterRecord, kind), FIELD(TynEmitterRecord, index),
+      FIELD(TynEmitterRecord, threshold), FIELD(TynEmitterRecord, alias),
+      FIELD(TynEmitterRecord, probability),
+
+      RECORD(TynLightRecord),
+      FIELD(TynLightRecord, position), FIELD(TynLightRecord, type), FIELD(TynLightRecord, direction),
+      FIELD(TynLightRecord, angle_scale), FIELD(TynLightRecord, intensity),
+      FIELD(TynLightRecord, angle_offset),
+
+      RECORD(TynEnvironmentTexel),
+      FIELD(TynEnvironmentTexel, threshold), FIELD(TynEnvironmentTexel, alias),
+      FIELD(TynEnvironmentTexel, density),
+
+      RECORD(TynCameraRecord),
+      FIELD(TynCameraRecord, world_from_camera), FIELD(TynCameraRecord, half_width),
+      FIELD(TynCameraRecord, half_height), FIELD(TynCameraRecord, znear),
+      FIELD(TynCameraRecord, type),
+
+      RECORD(TynRenderParameters),
+      FIELD(TynRenderParameters, seed), FIELD(TynRenderParameters, width),
+      FIELD(TynRenderParameters, height), FIELD(TynRenderParameters, first_pixel),
+      FIELD(TynRenderParameters, pixel_count), FIELD(TynRenderParameters, first_sample),
+      FIELD(TynRenderParameters, sample_count), FIELD(TynRenderParameters, max_bounces),
+      FIELD(TynRenderParameters, exit), FIELD(TynRenderParameters, strategy),
+      FIELD(TynRenderParameters, emitter_count), FIELD(TynRenderParameters, environment),
+      FIELD(TynRenderParameters, environment_image), FIELD(TynRenderParameters, environment_cos),
+      FIELD(TynRenderParameters, environment_sin),
+      FIELD(TynRenderParameters, environment_probability),
+      FIELD(TynRenderParameters, environment_hidden),
+
+      RECORD(TynPathState),
+      FIELD(TynPathState, origin), FIELD(TynPathState, t_min), FIELD(TynPathState, direction),
+      FIELD(TynPathState, pdf), FIELD(TynPathState, throughput), FIELD(TynPathState, bounces),
+      FIELD(TynPathState, t), FIELD(TynPathState, u), FIELD(TynPathState, v),
+      FIELD(TynPathState, triangle), FIELD(TynPathState, event), FIELD(TynPathState, cos_axis),
+      FIELD(TynPathState, reserved),
+
+      RECORD(TynPathResult),
+      FIELD(TynPathResult, light), FIELD(TynPathResult, albedo), FIELD(TynPathResult, depth),
+      FIELD(TynPathResult, normal), FIELD(TynPathResult, reserved),
+
+      RECORD(TynShadowRay),
+      FIELD(TynShadowRay, origin), FIELD(TynShadowRay, t_max), FIELD(TynShadowRay, direction),
+      FIELD(TynShadowRay, path), FIELD(TynShadowRay, first), FIELD(TynShadowRay, first_event),
+      FIELD(TynShadowRay, second), FIELD(TynShadowRay, second_event),
+      // clang-format on
+  };
+  return layout;
+}
+
+std::string without_comments(std::string text) {
+  text = std::regex_replace(text, std::regex("//[^\n]*"), "");
+  std::string clean;
+  for (size_t begin = 0; begin < text.size();) {
+    size_t comment = text.find("/*", begin);
+    clean += text.substr(begin, comment - begin);
+    size_t end = comment == std::string::npos ? comment : text.find("*/", comment);
+    begin = end == std::string::npos ? text.size() : end + 2;
+  }
+  return clean;
+}
+
+// The fields of a record's body: "float a[3]; uint32_t b, c;" gives a, b, c.
+std::vector<std::string> fields_of(const std::string &body) {
+  std::vector<std::string> fields;
+  static const std::regex field("(\\w+)\\s*(\\[\\w+\\]\\s*)*[,;]");
+  for (std::sregex_iterator i(body.begin(), body.end(), field), end; i != end; ++i)
+    fields.push_back((*i)[1]);
+  return fields;
+}
+
+struct Record {
+  std::string name;
+  std::vector<std::string> fields;
+};
+
+// The records that a program's source declares: "typedef struct TynName { ... } TynName;".
+std::vector<Record> records_of(const std::string &text) {
+  std::vector<Record> records;
+  static const std::regex record("typedef struct (Tyn\\w+) \\{([^}]*)\\}");
+  std::string clean = without_comments(text);
+  for (std::sregex_iterator i(clean.begin(), clean.end(), record), end; i != end; ++i)
+    records.push_back({(*i)[1], fields_of((*i)[2])});
+  return records;
+}
+
+// A kernel that writes down sizes and offsets, in the order of `names`.
+std::string reporter(const std::vector<Record> &records, std::vector<std::string> &names) {
+  std::string body;
+  auto report = [&](const std::string &name, const std::string &value) {
+    body += "  layout[" + std::to_string(names.size()) + "] = (uint)(" + value + ");\n";
+    names.push_back(name);
+  };
+  for (const Record &record : records) {
+    report(record.name, "sizeof(" + record.name + ")");
+    body += "  {\n  " + record.name + " r;\n";
+    for (const std::string &field : record.fields)
+      report(record.name + "." + field, "(char *)&r." + field + " - (char *)&r");
+    body += "  }\n";
+  }
+  return "\nkernel void report_layout(global uint *layout) {\n" + body + "}\n";
+}
+
+// What the device makes of the records in one embedded program.
+Layout device_layout(TynContext &context, const tyn::KernelSource &source) {
+  std::vector<std::string> names;
+  std::string text = source.text + reporter(records_of(source.text), names);
+  std::string name = std::string("layout_of_") + source.name;
+  Layout layout;
+  if (names.empty())
+    return layout;
+  context.build(tyn::KernelSource{name.c_str(), text.c_str(), text.size(), std::hash<std::string>()(text)});
+  tyn::Buffer buffer(context, names.size() * sizeof(uint32_t));
+  context.launch(name.c_str(), "report_layout", 1, 1, buffer);
+  std::vector<uint32_t> values(names.size());
+  context.read(buffer, values.data(), buffer.size());
+  for (size_t i = 0; i < names.size(); ++i)
+    layout[names[i]] = values[i];
+  return layout;
+}
+
+TEST(SharedStructs, HaveTheSameLayoutOnHostAndDevice) {
+  Layout seen;
+  tyn_test::ContextHandle context = tyn_test::make_context(1, 0, ""); // without a cache nothing else is compiled
+  for (size_t i = 0; i < tyn::kernel_source_count; ++i)
+    for (const auto &[name, value] : device_layout(*context, tyn::kernel_sources[i])) {
+      auto host = host_layout().find(name);
+      ASSERT_NE(host, host_layout().end()) << name << " of " << tyn::kernel_sources[i].name << " is missing in this test";
+      EXPECT_EQ(host->second, value) << name << " in " << tyn::kernel_sources[i].name;
+      seen[name] = value;
+    }
+  for (const auto &[name, value] : host_layout())
+    EXPECT_EQ(seen.count(name), 1u) << "no program has " << name << ", " << value;
+}
+
+TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
+  EXPECT_EQ(sizeof(TynWalkEntry), 96u);
+  EXPECT_EQ(sizeof(TynWalkExit), 96u);
+  EXPECT_EQ(sizeof(TynBvhNode), 224u);
+  EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
+  EXPECT_EQ(sizeof(TynTriangleRecord), 20u);
+  EXPECT_EQ(sizeof(TynMeshRecord), 48u);
+  EXPECT_EQ(sizeof(TynMediumRecord), 32u);
+  EXPECT_EQ(sizeof(TynWalkParameters), 48u);
+  EXPECT_EQ(sizeof(TynWalkTally), 36u);
+}
+
+} // namespace
