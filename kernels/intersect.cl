@@ -11,8 +11,9 @@ static float3 vertex_position(global const float *positions, uint vertex) {
   return vload3(0, positions + 3 * (size_t)vertex);
 }
 
-// The side that the winding makes the outer one. The edges are scaled by a power of two, so that their products neither overflow nor
-// underflow. A triangle without area is only hit through rounding, edge-on; whoever asks gets a normal towards the ray.
+// The side that the winding makes the outer one. The edges are scaled by a power of two, so that their products
+// neither overflow nor underflow. A triangle without area is only hit through rounding, edge-on; whoever asks gets a
+// normal towards the ray.
 static float3 outward_normal(float3 p0, float3 p1, float3 p2, float3 direction) {
   float3 e1 = p1 - p0, e2 = p2 - p0;
   float3 largest = fmax(fabs(e1), fabs(e2));
@@ -39,8 +40,7 @@ kernel void intersect(global const TynBvhNode *nodes, global const TynTriangleBl
   if (i >= count)
     return;
   float3 origin = vload3(0, rays[i].origin), direction = vload3(0, rays[i].direction);
-  TraceHit found =
-      tyn_trace(nodes, blocks, root, origin, direction, rays[i].t_min, rays[i].t_max, TYN_BOTH_SIDES);
+  TraceHit found = tyn_trace(nodes, blocks, root, origin, direction, rays[i].t_min, rays[i].t_max, TYN_BOTH_SIDES);
   TynHit hit = miss();
   if (found.triangle != TYN_NONE) {
     TynTriangleRecord triangle = triangles[found.triangle];
@@ -50,9 +50,9 @@ kernel void intersect(global const TynBvhNode *nodes, global const TynTriangleBl
     hit.v = exchanged ? found.u : found.v;
     hit.mesh = triangle.mesh;
     hit.triangle = found.triangle - meshes[triangle.mesh].first_triangle;
-    float3 normal = outward_normal(vertex_position(positions, triangle.vertex[0]),
-                                   vertex_position(positions, triangle.vertex[1]),
-                                   vertex_position(positions, triangle.vertex[2]), direction);
+    float3 normal =
+        outward_normal(vertex_position(positions, triangle.vertex[0]), vertex_position(positions, triangle.vertex[1]),
+                       vertex_position(positions, triangle.vertex[2]), direction);
     vstore3(normal, 0, hit.normal);
   }
   hits[i] = hit;
@@ -64,6 +64,5 @@ kernel void occluded(global const TynBvhNode *nodes, global const TynTriangleBlo
   if (i >= count)
     return;
   float3 origin = vload3(0, rays[i].origin), direction = vload3(0, rays[i].direction);
-  result[i] =
-      tyn_trace_any(nodes, blocks, root, origin, direction, rays[i].t_min, rays[i].t_max) ? 1 : 0;
+  result[i] = tyn_trace_any(nodes, blocks, root, origin, direction, rays[i].t_min, rays[i].t_max) ? 1 : 0;
 }

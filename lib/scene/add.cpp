@@ -13,7 +13,8 @@ namespace tyn {
 namespace {
 
 // Runs `add`, which appends to a scene that is still open and returns the new index.
-template <class Add> TynStatus add_to(TynScene *scene, uint32_t *index, Add add) {
+template <class Add>
+TynStatus add_to(TynScene *scene, uint32_t *index, Add add) {
   if (!scene)
     return TYN_ERROR_INVALID_ARGUMENT;
   return guarded(&scene->context, [&] {
@@ -24,7 +25,8 @@ template <class Add> TynStatus add_to(TynScene *scene, uint32_t *index, Add add)
   });
 }
 
-template <class T> uint32_t append(std::vector<T> &list, T item) {
+template <class T>
+uint32_t append(std::vector<T> &list, T item) {
   if (list.size() >= TYN_NONE - 1)
     fail(TYN_ERROR_INVALID_ARGUMENT, "the scene has %zu of these already", list.size());
   list.push_back(std::move(item));
@@ -32,7 +34,8 @@ template <class T> uint32_t append(std::vector<T> &list, T item) {
 }
 
 // The name is owned by the list; the pointer is filled in again when the struct is handed out.
-template <class T> uint32_t append_named(std::vector<Named<T>> &list, T value) {
+template <class T>
+uint32_t append_named(std::vector<Named<T>> &list, T value) {
   Named<T> item;
   item.name = value.name ? value.name : "";
   value.name = nullptr;

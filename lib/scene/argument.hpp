@@ -75,8 +75,8 @@ inline void require_unit(const char *name, const float (&v)[3]) {
          v[2], length);
 }
 
-// The size member of a struct of the API: 0 and sizes below the struct's first version are mistakes; a larger one comes from
-// a program that was compiled for a later library, whose fields this one would silently ignore.
+// The size member of a struct of the API: 0 and sizes below the struct's first version are mistakes; a larger one
+// comes from a program that was compiled for a later library, whose fields this one would silently ignore.
 inline void require_size(const char *type, size_t size, size_t first_version, size_t known) {
   if (size < first_version)
     fail(TYN_ERROR_INVALID_ARGUMENT, "%s::size is %zu; it must be sizeof(%s) = %zu", type, size, type, known);

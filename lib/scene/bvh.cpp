@@ -12,8 +12,8 @@ namespace {
 
 static_assert(BuildNode::WIDTH == TYN_BVH_WIDTH, "one child a lane");
 
-// Levels of inner nodes: each leaves up to 7 entries on the traversal stack, and the last one 8. The scene's levels suffice for
-// 8^9 meshes; a mesh's are split by surface area down to level 18, then evenly.
+// Levels of inner nodes: each leaves up to 7 entries on the traversal stack, and the last one 8. The scene's levels
+// suffice for 8^9 meshes; a mesh's are split by surface area down to level 18, then evenly.
 constexpr uint32_t SCENE_LEVELS = 9;
 constexpr uint32_t MESH_LEVELS = 27;
 static_assert(7 * (SCENE_LEVELS + MESH_LEVELS) + 1 <= TYN_BVH_STACK, "the traversal stack holds the deepest tree");
@@ -21,9 +21,7 @@ static_assert(7 * (SCENE_LEVELS + MESH_LEVELS) + 1 <= TYN_BVH_STACK, "the traver
 constexpr uint32_t MAX_BLOCKS = (1u << 27) - 1; // the last number would look like TYN_CHILD_EMPTY
 constexpr uint32_t MAX_NODES = TYN_CHILD_LEAF;
 
-Box empty_box() {
-  return {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-}
+Box empty_box() { return {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}; }
 
 void extend(Box &box, const float *lower, const float *upper) {
   for (int k = 0; k < 3; k++) {
@@ -41,8 +39,9 @@ Box triangle_box(const Mesh &mesh, size_t triangle) {
   return box;
 }
 
-// Two vertices in the same place: an area of exactly 0 from wherever it is looked at, so that nothing would ever hit it. Other
-// triangles without area stay: they close the gap that rounding opens between an edge and a vertex lying on it.
+// Two vertices in the same place: an area of exactly 0 from wherever it is looked at, so that nothing would ever hit
+// it. Other triangles without area stay: they close the gap that rounding opens between an edge and a vertex lying on
+// it.
 bool is_invisible(const Mesh &mesh, size_t triangle) {
   const uint32_t *index = &mesh.indices[3 * triangle];
   const Vec3 &a = mesh.positions[index[0]], &b = mesh.positions[index[1]], &c = mesh.positions[index[2]];
@@ -67,7 +66,8 @@ public:
     for (uint32_t i = 0; i < count; i++) {
       const BuildNode &child = node.child_count ? *node.child[i] : node;
       Box child_box;
-      const uint32_t reference = child.child_count ? add_inner(child, level + 1, child_box) : add_leaf(child, child_box);
+      const uint32_t reference =
+          child.child_count ? add_inner(child, level + 1, child_box) : add_leaf(child, child_box);
       set_child(bvh.nodes[index], i, reference, child_box);
       extend(box, child_box.lower, child_box.upper);
     }
@@ -162,8 +162,8 @@ MeshTree add_mesh_tree(Bvh &bvh, EmbreeBuilder &builder, const Mesh &mesh, uint3
 }
 
 // The levels above the meshes. Node `index` is there already. Returns the deepest level, the meshes' own included.
-uint32_t fill_scene_node(Bvh &bvh, uint32_t index, const BuildNode &node, uint32_t level, const std::vector<MeshTree> &trees,
-                         const std::vector<uint32_t> &meshes, Box &box) {
+uint32_t fill_scene_node(Bvh &bvh, uint32_t index, const BuildNode &node, uint32_t level,
+                         const std::vector<MeshTree> &trees, const std::vector<uint32_t> &meshes, Box &box) {
   uint32_t deepest = level;
   box = empty_box();
   const uint32_t count = node.child_count ? node.child_count : 1;

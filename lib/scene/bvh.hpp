@@ -16,12 +16,12 @@ struct Bvh {
   uint32_t depth = 0;          // levels of inner nodes, from node 0 down
 };
 
-// How far the bounds of a mesh's nodes are widened, and how far behind its origin a ray may still hit: 2^-20 of the largest
-// absolute coordinate, rounded up to a power of two.
+// How far the bounds of a mesh's nodes are widened, and how far behind its origin a ray may still hit: 2^-20 of the
+// largest absolute coordinate, rounded up to a power of two.
 float mesh_slack(const Mesh &mesh);
 
-// The same bytes for the same meshes, whatever the number of threads. Scaling all positions by a power of two changes only
-// the exponents in it. Throws OUT_OF_MEMORY or, for trees that the traversal stack cannot hold, INTERNAL.
+// The same bytes for the same meshes, whatever the number of threads. Scaling all positions by a power of two changes
+// only the exponents in it. Throws OUT_OF_MEMORY or, for trees that the traversal stack cannot hold, INTERNAL.
 Bvh build_bvh(const std::vector<Mesh> &meshes);
 
 } // namespace tyn

@@ -81,7 +81,8 @@ std::vector<TynMeshRecord> mesh_records(const TynScene &scene, const std::vector
   return records;
 }
 
-template <class T> Buffer upload(TynContext &context, const std::vector<T> &values) {
+template <class T>
+Buffer upload(TynContext &context, const std::vector<T> &values) {
   Buffer buffer(context, values.size() * sizeof(T), CL_MEM_READ_ONLY);
   context.write(buffer, values.data(), values.size() * sizeof(T));
   return buffer;

@@ -10,16 +10,17 @@ namespace tyn {
 
 // One side of one triangle. Sorted, all sides of one edge are neighbours, in the order of their triangles.
 struct EdgeSide {
-  uint64_t edge;     // the two welded vertices, the lower one in the high half
+  uint64_t edge; // the two welded vertices, the lower one in the high half
   uint32_t triangle;
-  uint32_t forward;  // 1: the triangle runs along it from the lower vertex to the higher
+  uint32_t forward; // 1: the triangle runs along it from the lower vertex to the higher
 };
 
 // Three welded vertices a triangle.
 std::vector<EdgeSide> sorted_edge_sides(const std::vector<uint32_t> &corners);
 
 // Calls visit(first, last) for the sides of each edge.
-template <class Visit> void for_each_edge(const std::vector<EdgeSide> &sides, Visit visit) {
+template <class Visit>
+void for_each_edge(const std::vector<EdgeSide> &sides, Visit visit) {
   const EdgeSide *first = sides.data(), *end = first + sides.size();
   while (first != end) {
     const EdgeSide *last = first;

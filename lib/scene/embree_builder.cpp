@@ -20,8 +20,8 @@ namespace {
 
 [[noreturn]] void fail_embree(RTCDevice device, const char *call) {
   const RTCError error = rtcGetDeviceError(device);
-  fail(error == RTC_ERROR_OUT_OF_MEMORY ? TYN_ERROR_OUT_OF_MEMORY : TYN_ERROR_INTERNAL, "%s failed with Embree error %d",
-       call, int(error));
+  fail(error == RTC_ERROR_OUT_OF_MEMORY ? TYN_ERROR_OUT_OF_MEMORY : TYN_ERROR_INTERNAL,
+       "%s failed with Embree error %d", call, int(error));
 }
 
 // Embree calls these from several threads at once. Each writes only to the node it is given.
@@ -49,8 +49,8 @@ void *create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive *pr
   return node;
 }
 
-// Which thread came first decides about the order that Embree leaves things in. This one is always the same. The depth of the
-// recursion is limited by TreeLimits::max_depth.
+// Which thread came first decides about the order that Embree leaves things in. This one is always the same. The
+// depth of the recursion is limited by TreeLimits::max_depth.
 void put_in_order(BuildNode *node) {
   std::sort(node->item, node->item + node->item_count);
   for (uint32_t i = 0; i < node->child_count; i++)
@@ -106,7 +106,8 @@ BuildNode *EmbreeBuilder::build(const std::vector<Box> &boxes, const TreeLimits 
 
   std::vector<RTCBuildPrimitive> primitives = to_primitives(boxes);
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM; // binned surface area heuristic; HIGH would only add spatial splits
+  arguments.buildQuality =
+      RTC_BUILD_QUALITY_MEDIUM; // binned surface area heuristic; HIGH would only add spatial splits
   arguments.maxBranchingFactor = BuildNode::WIDTH;
   arguments.maxDepth = limits.max_depth + 1; // Embree counts the level of the leaves
   arguments.sahBlockSize = limits.block_size;

@@ -38,9 +38,9 @@ public:
   EmbreeBuilder(const EmbreeBuilder &) = delete;
   EmbreeBuilder &operator=(const EmbreeBuilder &) = delete;
 
-  // The root over `boxes` (item i is boxes[i]), or nullptr if there are none. Children are in ascending order of their lowest
-  // item and items ascend, so the tree is the same whatever the number of threads. The root may be a leaf. The tree lives until the
-  // next build.
+  // The root over `boxes` (item i is boxes[i]), or nullptr if there are none. Children are in ascending order of
+  // their lowest item and items ascend, so the tree is the same whatever the number of threads. The root may be a
+  // leaf. The tree lives until the next build.
   BuildNode *build(const std::vector<Box> &boxes, const TreeLimits &options);
 
 private:

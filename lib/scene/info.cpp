@@ -9,7 +9,8 @@
 namespace tyn {
 namespace {
 
-template <class Body> TynStatus read_from(const TynScene *scene, Body body) {
+template <class Body>
+TynStatus read_from(const TynScene *scene, Body body) {
   return scene ? guarded(&scene->context, body) : TYN_ERROR_INVALID_ARGUMENT;
 }
 

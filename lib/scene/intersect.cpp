@@ -44,8 +44,8 @@ void check_call(const TynScene &scene, uint32_t mesh, const void *rays, const vo
 
 void launch_intersect(TynScene &scene, uint32_t mesh, cl_mem rays, size_t count, cl_mem hits) {
   const SceneBuffers &b = scene.buffers;
-  scene.context.launch("intersect", "intersect", count, 0, b.nodes, b.blocks, b.triangles, b.positions, b.meshes, b.turned,
-                       scene.root(mesh), rays, cl_ulong(count), hits);
+  scene.context.launch("intersect", "intersect", count, 0, b.nodes, b.blocks, b.triangles, b.positions, b.meshes,
+                       b.turned, scene.root(mesh), rays, cl_ulong(count), hits);
 }
 
 void launch_occluded(TynScene &scene, uint32_t mesh, cl_mem rays, size_t count, cl_mem occluded) {
@@ -95,7 +95,8 @@ void check_buffer(const TynContext &context, const char *name, cl_mem buffer, si
   if (owner != context.cl)
     fail(TYN_ERROR_INVALID_ARGUMENT, "%s belongs to another cl_context than the scene's", name);
   if (__builtin_mul_overflow(count, element, &needed) || bytes < needed)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s has %zu bytes; %zu elements of %zu bytes do not fit", name, bytes, count, element);
+    fail(TYN_ERROR_INVALID_ARGUMENT, "%s has %zu bytes; %zu elements of %zu bytes do not fit", name, bytes, count,
+         element);
 }
 
 template <class Result, class Launch>

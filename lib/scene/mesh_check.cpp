@@ -91,8 +91,8 @@ void count_components(Mesh &mesh, const std::vector<uint32_t> &corners, const st
     mesh.info.components += distinct(&corners[3 * size_t(i)]) && sets.find(i).root == i;
 }
 
-// Makes neighbours agree over edges with two triangles; in each patch the majority wins, and the lowest triangle at a tie. A
-// patch that cannot be oriented (a Moebius strip) stays as it is.
+// Makes neighbours agree over edges with two triangles; in each patch the majority wins, and the lowest triangle at a
+// tie. A patch that cannot be oriented (a Moebius strip) stays as it is.
 void make_consistent(Mesh &mesh, const std::vector<EdgeSide> &sides) {
   ParitySets sets(triangle_count(mesh));
   for_each_edge(sides, [&](const EdgeSide *first, const EdgeSide *last) {

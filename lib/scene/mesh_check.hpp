@@ -7,8 +7,9 @@
 
 namespace tyn {
 
-// Fills in mesh.info (but for name, medium and material), and turns triangles (exchanges their second and third vertex) so that
-// neighbours agree and a closed mesh encloses a positive volume. Normals that point inwards are turned with it.
+// Fills in mesh.info (but for name, medium and material), and turns triangles (exchanges their second and third
+// vertex) so that neighbours agree and a closed mesh encloses a positive volume. Normals that point inwards are
+// turned with it.
 void check_mesh(Mesh &mesh);
 
 } // namespace tyn

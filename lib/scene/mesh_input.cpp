@@ -33,15 +33,18 @@ void require_counts(const TynMesh &given, const TynScene &scene) {
          given.vertex_count, static_cast<unsigned long long>(vertices), static_cast<unsigned long long>(MAX_VERTICES));
   if (triangles > MAX_TRIANGLES)
     fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::triangle_count is %u: the scene would have %llu triangles; at most %llu",
-         given.triangle_count, static_cast<unsigned long long>(triangles), static_cast<unsigned long long>(MAX_TRIANGLES));
+         given.triangle_count, static_cast<unsigned long long>(triangles),
+         static_cast<unsigned long long>(MAX_TRIANGLES));
 }
 
 // One record of N floats a vertex, `stride` bytes apart (0: without gaps).
-template <class T> std::vector<T> read_vertices(const char *name, const float *source, size_t stride, uint32_t count) {
+template <class T>
+std::vector<T> read_vertices(const char *name, const float *source, size_t stride, uint32_t count) {
   if (stride == 0)
     stride = sizeof(T);
   if (stride < sizeof(T))
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::%s_stride is %zu; it must be 0 or at least %zu", name, stride, sizeof(T));
+    fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::%s_stride is %zu; it must be 0 or at least %zu", name, stride,
+         sizeof(T));
   size_t total;
   if (__builtin_mul_overflow(stride, size_t(count), &total))
     fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::%s_stride is %zu: %u vertices of it overflow", name, stride, count);
@@ -58,8 +61,8 @@ void read_positions(const TynMesh &given, Mesh &mesh) {
     for (int k = 0; k < 3; k++) {
       const float value = (&mesh.positions[i].x)[k];
       if (!(std::abs(value) <= MAX_COORDINATE))
-        fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::positions[%zu].%c is %g; it must be finite and in [-%g, %g]", i, AXIS[k],
-             double(value), double(MAX_COORDINATE), double(MAX_COORDINATE));
+        fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::positions[%zu].%c is %g; it must be finite and in [-%g, %g]", i,
+             AXIS[k], double(value), double(MAX_COORDINATE), double(MAX_COORDINATE));
     }
 }
 
@@ -96,8 +99,8 @@ void read_indices(const TynMesh &given, Mesh &mesh) {
   mesh.indices.assign(given.indices, given.indices + 3 * size_t(given.triangle_count));
   for (size_t i = 0; i < mesh.indices.size(); i++)
     if (mesh.indices[i] >= given.vertex_count)
-      fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::indices[%zu] (triangle %zu) is %u, but the mesh has %u vertices", i, i / 3,
-           mesh.indices[i], given.vertex_count);
+      fail(TYN_ERROR_INVALID_ARGUMENT, "TynMesh::indices[%zu] (triangle %zu) is %u, but the mesh has %u vertices", i,
+           i / 3, mesh.indices[i], given.vertex_count);
 }
 
 void read_materials(const TynMesh &given, const TynScene &scene, Mesh &mesh) {

@@ -39,8 +39,8 @@ public:
     return place;
   }
 
-  // Joins the sets of a and b, whose parities differ by `difference` (0 or 1). The lower root stays, so that the result does not
-  // depend on anything but the joins themselves.
+  // Joins the sets of a and b, whose parities differ by `difference` (0 or 1). The lower root stays, so that the
+  // result does not depend on anything but the joins themselves.
   void join(uint32_t a, uint32_t b, uint32_t difference) {
     Place p = find(a), q = find(b);
     if (p.root == q.root) {

@@ -32,9 +32,7 @@ void TynScene::require_committed() const {
     tyn::fail(TYN_ERROR_INVALID_OPERATION, "the scene is not committed: call tyn_scene_commit first");
 }
 
-void TynScene::require_mesh(uint32_t mesh) const {
-  tyn::require_index_or_none("mesh", mesh, meshes.size(), "meshes");
-}
+void TynScene::require_mesh(uint32_t mesh) const { tyn::require_index_or_none("mesh", mesh, meshes.size(), "meshes"); }
 
 uint32_t TynScene::root(uint32_t mesh) const { return mesh == TYN_NONE ? 0 : mesh_records[mesh].root; }
 

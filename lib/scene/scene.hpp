@@ -40,7 +40,8 @@ struct Image {
 };
 
 // The public struct, with an owned name.
-template <class T> struct Named {
+template <class T>
+struct Named {
   T value{};
   std::string name;
 };
@@ -65,10 +66,10 @@ struct TynScene {
   void retain();
   void release();
 
-  void require_open() const;                        // throws INVALID_OPERATION after commit
-  void require_committed() const;                   // throws INVALID_OPERATION before commit
-  void require_mesh(uint32_t mesh) const;           // throws INVALID_ARGUMENT unless a mesh index or TYN_NONE
-  uint32_t root(uint32_t mesh) const;               // BVH root of a mesh, or of the scene for TYN_NONE
+  void require_open() const;              // throws INVALID_OPERATION after commit
+  void require_committed() const;         // throws INVALID_OPERATION before commit
+  void require_mesh(uint32_t mesh) const; // throws INVALID_ARGUMENT unless a mesh index or TYN_NONE
+  uint32_t root(uint32_t mesh) const;     // BVH root of a mesh, or of the scene for TYN_NONE
 
   TynContext &context; // retained
   double metres_per_unit = 1.0;

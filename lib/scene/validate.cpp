@@ -40,8 +40,8 @@ void validate_pose(const float (&m)[12]) {
                              double(m[1]) * (double(m[4]) * m[10] - double(m[6]) * m[8]) +
                              double(m[2]) * (double(m[4]) * m[9] - double(m[5]) * m[8]);
   if (determinant < 0)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "TynCamera::world_from_camera mirrors (its determinant is %g); it must be a rotation",
-         determinant);
+    fail(TYN_ERROR_INVALID_ARGUMENT,
+         "TynCamera::world_from_camera mirrors (its determinant is %g); it must be a rotation", determinant);
 }
 
 void validate_pixels(const TynImage &image, size_t stride) {
@@ -53,8 +53,8 @@ void validate_pixels(const TynImage &image, size_t stride) {
       std::memcpy(pixel, static_cast<const char *>(image.pixels) + y * stride + size_t(x) * sizeof pixel, sizeof pixel);
       for (int i = 0; i < 4; i++)
         if (!std::isfinite(pixel[i]))
-          fail(TYN_ERROR_INVALID_ARGUMENT, "TynImage::pixels: channel %d of pixel (%u, %u) is %g; it must be finite", i, x,
-               y, double(pixel[i]));
+          fail(TYN_ERROR_INVALID_ARGUMENT, "TynImage::pixels: channel %d of pixel (%u, %u) is %g; it must be finite", i,
+               x, y, double(pixel[i]));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Vertices that share a position count as one when a mesh is checked: seams of normals and texture coordinates repeat them.
+// Vertices that share a position count as one when a mesh is checked: seams of normals and texture coordinates repeat
+// them.
 #pragma once
 
 #include <vector>

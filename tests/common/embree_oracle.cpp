@@ -28,11 +28,11 @@ EmbreeOracle::EmbreeOracle(const std::vector<tyn::Mesh> &meshes) : handles(new H
   for (unsigned i = 0; i < meshes.size(); i++) {
     const tyn::Mesh &mesh = meshes[i];
     RTCGeometry geometry = rtcNewGeometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12,
-                                             mesh.positions.size());
+    void *vertices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
     std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * 12);
-    void *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                            mesh.indices.size() / 3);
+    void *indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.indices.size() / 3);
     std::memcpy(indices, mesh.indices.data(), mesh.indices.size() * 4);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(handles->scene, geometry, i);

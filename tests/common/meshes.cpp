@@ -21,14 +21,11 @@ Point point(const MeshData &mesh, uint32_t vertex) {
   return {p[0], p[1], p[2]};
 }
 
-Point cross(Point a, Point b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+Point cross(Point a, Point b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
 // Twice the triangle's area, along its normal.
 Point area_vector(const MeshData &mesh, size_t triangle) {
-  Point a = point(mesh, mesh.indices[3 * triangle]),
-        b = point(mesh, mesh.indices[3 * triangle + 1]),
+  Point a = point(mesh, mesh.indices[3 * triangle]), b = point(mesh, mesh.indices[3 * triangle + 1]),
         c = point(mesh, mesh.indices[3 * triangle + 2]);
   return cross({b.x - a.x, b.y - a.y, b.z - a.z}, {c.x - a.x, c.y - a.y, c.z - a.z});
 }
@@ -76,8 +73,7 @@ MeshData icosahedron() {
   return mesh;
 }
 
-uint32_t midpoint(MeshData &mesh, std::map<std::pair<uint32_t, uint32_t>, uint32_t> &known,
-                  uint32_t a, uint32_t b) {
+uint32_t midpoint(MeshData &mesh, std::map<std::pair<uint32_t, uint32_t>, uint32_t> &known, uint32_t a, uint32_t b) {
   auto key = std::make_pair(std::min(a, b), std::max(a, b));
   auto found = known.find(key);
   if (found != known.end())
@@ -92,8 +88,7 @@ MeshData subdivided(MeshData mesh) {
   old.swap(mesh.indices);
   for (size_t i = 0; i < old.size(); i += 3) {
     uint32_t a = old[i], b = old[i + 1], c = old[i + 2];
-    uint32_t ab = midpoint(mesh, known, a, b), bc = midpoint(mesh, known, b, c),
-             ca = midpoint(mesh, known, c, a);
+    uint32_t ab = midpoint(mesh, known, a, b), bc = midpoint(mesh, known, b, c), ca = midpoint(mesh, known, c, a);
     mesh.add_triangle(a, ab, ca);
     mesh.add_triangle(ab, b, bc);
     mesh.add_triangle(ca, bc, c);
@@ -127,9 +122,7 @@ uint32_t MeshData::add_vertex(double x, double y, double z) {
   return vertex_count() - 1;
 }
 
-void MeshData::add_triangle(uint32_t a, uint32_t b, uint32_t c) {
-  indices.insert(indices.end(), {a, b, c});
-}
+void MeshData::add_triangle(uint32_t a, uint32_t b, uint32_t c) { indices.insert(indices.end(), {a, b, c}); }
 
 void MeshData::append(const MeshData &other) {
   uint32_t first = vertex_count();
@@ -186,8 +179,7 @@ MeshData cube() { return box(2, 2, 2); }
 MeshData box(float width, float height, float depth) {
   MeshData mesh;
   for (int i = 0; i < 8; i++)
-    mesh.add_vertex((i & 1 ? 0.5 : -0.5) * width, (i & 2 ? 0.5 : -0.5) * height,
-                    (i & 4 ? 0.5 : -0.5) * depth);
+    mesh.add_vertex((i & 1 ? 0.5 : -0.5) * width, (i & 2 ? 0.5 : -0.5) * height, (i & 4 ? 0.5 : -0.5) * depth);
   mesh.indices = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,  // -x +x
                   0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,  // -y +y
                   0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6}; // -z +z
@@ -196,12 +188,8 @@ MeshData box(float width, float height, float depth) {
 
 MeshData thin_slab(float width, float thickness, uint32_t cells) {
   const double w = width, t = thickness;
-  MeshData mesh = grid(cells, cells, [=](double u, double v) {
-    return Point{(u - 0.5) * w, t / 2, (0.5 - v) * w};
-  });
-  mesh.append(grid(cells, cells, [=](double u, double v) {
-    return Point{(u - 0.5) * w, -t / 2, (v - 0.5) * w};
-  }));
+  MeshData mesh = grid(cells, cells, [=](double u, double v) { return Point{(u - 0.5) * w, t / 2, (0.5 - v) * w}; });
+  mesh.append(grid(cells, cells, [=](double u, double v) { return Point{(u - 0.5) * w, -t / 2, (v - 0.5) * w}; }));
   // The rim: each border edge of the top joined to the bottom's. Seams repeat positions.
   const double corners[5][2] = {{-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, -0.5}, {-0.5, 0.5}};
   for (int side = 0; side < 4; side++) {
@@ -247,8 +235,7 @@ MeshData bumpy_sphere(uint32_t level, float amplitude) {
   MeshData mesh = without_normals(icosphere(level));
   for (size_t i = 0; i < mesh.positions.size(); i += 3) {
     float *p = &mesh.positions[i];
-    double radius =
-        1 + amplitude * std::sin(7.0 * p[0] + 1) * std::sin(5.0 * p[1]) * std::cos(6.0 * p[2]);
+    double radius = 1 + amplitude * std::sin(7.0 * p[0] + 1) * std::sin(5.0 * p[1]) * std::cos(6.0 * p[2]);
     for (int k = 0; k < 3; k++)
       p[k] = float(p[k] * radius);
   }
@@ -341,12 +328,10 @@ MeshData with_zero_area_triangles(MeshData mesh) {
   uint32_t a = mesh.indices[0], b = mesh.indices[1];
   mesh.add_triangle(a, b, b);
   uint32_t copy = mesh.vertex_count();
-  std::vector<float> p(mesh.positions.begin() + 3 * long(a),
-                       mesh.positions.begin() + 3 * long(a) + 3);
+  std::vector<float> p(mesh.positions.begin() + 3 * long(a), mesh.positions.begin() + 3 * long(a) + 3);
   mesh.positions.insert(mesh.positions.end(), p.begin(), p.end());
   if (!mesh.normals.empty()) {
-    std::vector<float> n(mesh.normals.begin() + 3 * long(a),
-                         mesh.normals.begin() + 3 * long(a) + 3);
+    std::vector<float> n(mesh.normals.begin() + 3 * long(a), mesh.normals.begin() + 3 * long(a) + 3);
     mesh.normals.insert(mesh.normals.end(), n.begin(), n.end());
   }
   mesh.uvs.clear();
@@ -385,8 +370,7 @@ MeshData unwelded(const MeshData &mesh) {
   MeshData result;
   for (uint32_t index : mesh.indices) {
     const size_t i = index;
-    result.positions.insert(result.positions.end(), &mesh.positions[3 * i],
-                            &mesh.positions[3 * i] + 3);
+    result.positions.insert(result.positions.end(), &mesh.positions[3 * i], &mesh.positions[3 * i] + 3);
     if (!mesh.normals.empty())
       result.normals.insert(result.normals.end(), &mesh.normals[3 * i], &mesh.normals[3 * i] + 3);
     if (!mesh.uvs.empty())

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Meshes for tests, made from formulas. Closed ones are wound outwards (counter-clockwise seen from outside) unless their
-// name says otherwise.
+// Meshes for tests, made from formulas. Closed ones are wound outwards (counter-clockwise seen from outside) unless
+// their name says otherwise.
 #pragma once
 
 #include <cstdint>
@@ -45,28 +45,26 @@ MeshData torus(float major, float minor, uint32_t around,
 MeshData bumpy_sphere(uint32_t level, float amplitude); // star-shaped, not convex
 // A solid between two spheres: the inner one is wound inwards. Two components.
 MeshData hollow_sphere(uint32_t level, float outer, float inner);
-MeshData
-needles(uint32_t count,
-        float length); // a double pyramid of very thin triangles, aspect ratio about length x count
-// A cube one of whose edges has an extra vertex on it that only the front face uses: the zero-area sliver between them is
-// there, with three distinct vertices, so that the surface is closed.
+MeshData needles(uint32_t count,
+                 float length); // a double pyramid of very thin triangles, aspect ratio about length x count
+// A cube one of whose edges has an extra vertex on it that only the front face uses: the zero-area sliver between
+// them is there, with three distinct vertices, so that the surface is closed.
 MeshData cube_with_sliver();
 
 // ---- open or broken ----
 MeshData single_triangle();
 MeshData quad(float size); // two triangles in the plane y = 0, facing +y, with uvs
 MeshData open_hemisphere(uint32_t level);
-MeshData mobius_strip(uint32_t around); // no consistent orientation exists
-MeshData three_fins();                  // three triangles on one edge
-MeshData with_zero_area_triangles(
-    MeshData mesh); // appends one with a repeated vertex and one with repeated positions
+MeshData mobius_strip(uint32_t around);           // no consistent orientation exists
+MeshData three_fins();                            // three triangles on one edge
+MeshData with_zero_area_triangles(MeshData mesh); // appends one with a repeated vertex and one with repeated positions
 
 // ---- variations ----
 MeshData translated(MeshData mesh, float x, float y, float z);
 MeshData scaled(MeshData mesh, float factor);
-MeshData inverted(MeshData mesh); // every triangle turned; normals point inwards
+MeshData inverted(MeshData mesh);                      // every triangle turned; normals point inwards
 MeshData with_flipped(MeshData mesh, uint32_t period); // triangles 0, period, 2 period, ... turned
-MeshData unwelded(const MeshData &mesh); // three vertices of its own for every triangle
+MeshData unwelded(const MeshData &mesh);               // three vertices of its own for every triangle
 MeshData without_normals(MeshData mesh);
 
 // Meshes that are closed, by name, for tests over all of them.

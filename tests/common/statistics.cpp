@@ -13,9 +13,7 @@ void Mean::add(double value) {
   squares += delta * (value - average);
 }
 
-double Mean::standard_error() const {
-  return n < 2 ? INFINITY : std::sqrt(squares / (double(n) * double(n - 1)));
-}
+double Mean::standard_error() const { return n < 2 ? INFINITY : std::sqrt(squares / (double(n) * double(n - 1))); }
 
 namespace {
 

@@ -43,7 +43,8 @@ struct Walked {
   TynLedger ledger;
 };
 // Walks, and fails the test if the call does.
-Walked walk(TynScene *scene, const std::vector<TynWalkEntry> &entries, const TynWalkOptions &options = tyn_walk_options());
+Walked walk(TynScene *scene, const std::vector<TynWalkEntry> &entries,
+            const TynWalkOptions &options = tyn_walk_options());
 
 // What the ledger's columns add up to in a channel; it should be ledger.entered.
 double accounted(const TynLedger &ledger, int channel);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel's rays against Embree's: the same triangle, or the same distance. Both round differently, so a ray that passes an edge
-// within rounding may see either of its sides; such rays are told apart in double.
+// The kernel's rays against Embree's: the same triangle, or the same distance. Both round differently, so a ray that
+// passes an edge within rounding may see either of its sides; such rays are told apart in double.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -65,8 +65,8 @@ double edge_distance(const tyn::Mesh &mesh, uint32_t triangle, const TynRay &ray
   return nearest / scale;
 }
 
-// What rounding of coordinates of size `scale` may do to the distance: more on a triangle that is seen edge-on, and more on a thin
-// one, whose barycentric coordinates are differences of large numbers.
+// What rounding of coordinates of size `scale` may do to the distance: more on a triangle that is seen edge-on, and
+// more on a thin one, whose barycentric coordinates are differences of large numbers.
 double distance_tolerance(const tyn::Mesh &mesh, uint32_t triangle, const TynRay &ray, double scale) {
   const Double3 n = tyn::area_vector(mesh, triangle);
   double longest = 0;
@@ -117,7 +117,8 @@ void compare(TynScene *scene, unsigned seed) {
   const std::vector<TynRay> rays = random_rays(*scene, RAYS, seed);
   std::vector<TynHit> hits(RAYS);
   std::vector<uint32_t> occluded(RAYS);
-  ASSERT_EQ(tyn_intersect(scene, TYN_NONE, rays.data(), RAYS, hits.data()), TYN_OK) << tyn_context_message(&scene->context);
+  ASSERT_EQ(tyn_intersect(scene, TYN_NONE, rays.data(), RAYS, hits.data()), TYN_OK)
+      << tyn_context_message(&scene->context);
   ASSERT_EQ(tyn_occluded(scene, TYN_NONE, rays.data(), RAYS, occluded.data()), TYN_OK);
   const EmbreeOracle oracle(scene->meshes);
   size_t wrong = 0, others = 0, hit_count = 0, wrong_occlusion = 0;
@@ -126,8 +127,8 @@ void compare(TynScene *scene, unsigned seed) {
     hit_count += hits[i].mesh != TYN_NONE;
     others += hits[i].mesh != theirs.mesh || hits[i].triangle != theirs.triangle;
     if (!agree(*scene, rays[i], hits[i], theirs) && wrong++ < 5)
-      ADD_FAILURE() << "ray " << i << ": t " << hits[i].t << " triangle " << hits[i].triangle << ", Embree t " << theirs.t
-                    << " triangle " << theirs.triangle;
+      ADD_FAILURE() << "ray " << i << ": t " << hits[i].t << " triangle " << hits[i].triangle << ", Embree t "
+                    << theirs.t << " triangle " << theirs.triangle;
     wrong_occlusion += occluded[i] != (hits[i].mesh != TYN_NONE);
   }
   EXPECT_EQ(wrong, 0u);
@@ -166,7 +167,8 @@ TEST(EmbreeRaysOfAScene, HitTheSameMeshAmongMany) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> place(-4, 4);
   for (int i = 0; i < 60; i++)
-    scene.add(translated(i % 2 ? icosphere(2) : torus(0.7f, 0.2f, 24, 12), place(random), place(random), place(random)));
+    scene.add(
+        translated(i % 2 ? icosphere(2) : torus(0.7f, 0.2f, 24, 12), place(random), place(random), place(random)));
   scene.commit();
   compare(scene, 2);
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// From inside a closed mesh every ray hits: 1e7 rays in all, none may pass between two triangles. Which points are inside is
-// decided in double, without any ray: by the solid angle that the mesh fills, and the distance to the nearest triangle.
+// From inside a closed mesh every ray hits: 1e7 rays in all, none may pass between two triangles. Which points are
+// inside is decided in double, without any ray: by the solid angle that the mesh fills, and the distance to the
+// nearest triangle.
 #include <cmath>
 #include <random>
 
@@ -33,8 +34,7 @@ Corners corners_from(const tyn::Mesh &mesh, size_t triangle, const Double3 &poin
 double solid_angle(const Corners &t) {
   const double a = tyn::length(t.a), b = tyn::length(t.b), c = tyn::length(t.c);
   const double numerator = tyn::dot(t.a, tyn::cross(t.b, t.c));
-  const double denominator =
-      a * b * c + tyn::dot(t.a, t.b) * c + tyn::dot(t.b, t.c) * a + tyn::dot(t.c, t.a) * b;
+  const double denominator = a * b * c + tyn::dot(t.a, t.b) * c + tyn::dot(t.b, t.c) * a + tyn::dot(t.c, t.a) * b;
   return 2 * std::atan2(numerator, denominator);
 }
 
