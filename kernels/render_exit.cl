@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where walks have ended: light that left the medium is connected to a light and goes on along its next ray.
+// Where walks have ended: light that left the medium is connected to lights and goes on along its next ray. A walk costs much
+// more than a ray, so each takes several light samples, whose rays are traced here.
 #include "render_lobe.clh"
 #include "render_path.clh"
+#include "traverse.clh"
 
-kernel void shade_exits(global TynPathState *paths, global const TynWalkExit *exits, global const TynWalkEntry *entries,
-                        global const uint *walk_paths, uint count, global uint *next, global TynShadowRay *shadows,
+// What leaves a medium at one point.
+typedef struct {
+  Lobe lobe;
+  float3 position, throughput;
+  float size; // see Surface
+} Leaving;
+
+// Light of one sample, nothing being in the way; `samples`: of how many.
+static float3 exit_light(const TynRenderParameters *p, const Leaving *at, const LightSample *light, float samples) {
+  // TYN_EXIT_DIELECTRIC: what a direction can meet is left to the walk's own direction
+  if (!light->valid || (p->exit == 1 && light->pdf > 0.0f)) return tyn_vec3(0.0f, 0.0f, 0.0f);
+  float value = lobe_value(&at->lobe, light->direction);
+  float density = light->pdf * samples;
+  float weight = value * mis_weight_light(p, density, value) / (density > 0.0f ? density : samples);
+  return light->radiance * at->throughput * weight;
+}
+
+kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks, global TynPathState *paths,
+                        global TynPathResult *results, global const TynWalkExit *exits,
+                        global const TynWalkEntry *entries, global const uint *walk_paths, uint count, global uint *next,
                         volatile global uint *counters, global const TynTriangleRecord *triangles,
                         global const float *positions, global const float *normals, global const float *uvs,
                         global const TynMeshRecord *meshes, global const TynMediumRecord *media,
@@ -20,7 +40,7 @@ kernel void shade_exits(global TynPathState *paths, global const TynWalkExit *ex
   const Geometry geometry = {triangles, positions, normals, uvs, meshes};
   const Images images = {image_records, image_bytes, image_floats, decode};
   const Lights lights = {emitters, light_records, texels};
-  const Queues queues = {next, shadows, counters};
+  const Queues queues = {next, 0, counters};
   const TynRenderParameters *p = &parameters;
   uint index = walk_paths[i];
   global TynPathState *path = paths + index;
@@ -28,29 +48,35 @@ kernel void shade_exits(global TynPathState *paths, global const TynWalkExit *ex
 
   // the shade kernel has counted the walk: this is the bounce before
   Draws draws = draws_of(p, index, path->bounces - 1u);
-  float3 throughput = tyn_load3_global(walked->weight);
-  throughput = throughput * path_roulette(path->bounces, throughput, draws_uniform(draws, TYN_DRAW_EXIT_CHOICE, 0).x);
-  if (!(path_largest(throughput) > 0.0f)) return;
+  Leaving at;
+  at.throughput = tyn_load3_global(walked->weight);
+  at.throughput =
+      at.throughput * path_roulette(path->bounces, at.throughput, draws_uniform(draws, TYN_DRAW_EXIT_CHOICE, 0).x);
+  if (!(path_largest(at.throughput) > 0.0f)) return;
 
-  Lobe lobe = {tyn_load3_global(walked->shading_normal), tyn_load3_global(walked->geometric_normal), media[medium].ior,
-               render_media[medium].transmittance};
-  if (tyn_dot(lobe.shading, lobe.geometric) <= 0.0f) lobe.shading = lobe.geometric;
   Surface s = surface_at(&geometry, meshes[mesh].first_triangle + walked->triangle, walked->u, walked->v);
-  float3 position = s.position;
+  at.position = s.position;
+  at.size = s.size;
+  at.lobe.shading = s.shading;
+  at.lobe.geometric = s.geometric;
+  at.lobe.ior = media[medium].ior;
+  at.lobe.transmittance = render_media[medium].transmittance;
 
-  LightSample light = light_sample(p, &geometry, &images, &lights, materials, textures, position, draws, TYN_DRAW_EXIT_LIGHT);
-  // TYN_EXIT_DIELECTRIC: what a direction can meet is left to the walk's own direction
-  int refracted = p->exit == 1;
-  if (light.valid && !(refracted && light.pdf > 0.0f)) {
-    float value = lobe_value(&lobe, light.direction);
-    float3 arriving = light.radiance * throughput * (value * mis_weight_light(p, light.pdf, value));
-    if (light.pdf > 0.0f) arriving = arriving / light.pdf;
-    float3 nothing = tyn_vec3(0.0f, 0.0f, 0.0f);
-    path_connect(&queues, index, &light, position, lobe.geometric, s.size, path->event, arriving, path->event, nothing);
+  uint samples = p->emitter_count == 0u ? 0u : p->emitter_count == 1u ? 1u : LIGHT_SAMPLES;
+  for (uint k = 0; k < samples; ++k) {
+    LightSample light = light_sample(p, &geometry, &images, &lights, materials, textures, at.position, draws,
+                                     TYN_DRAW_EXIT_LIGHT, k, samples);
+    float3 arriving = exit_light(p, &at, &light, (float)samples);
+    if (!(path_largest(arriving) > 0.0f)) continue;
+    LightRay ray = path_light_ray(&light, at.position, at.lobe.geometric, at.size);
+    if (!tyn_trace_any(nodes, blocks, 0, ray.origin, ray.direction, 0.0f, ray.t_max))
+      path_add(results + index, path->event, arriving);
   }
 
-  float3 l = refracted ? tyn_load3_global(walked->direction) : lobe_sample(&lobe, draws, TYN_DRAW_EXIT_LOBE);
+  float3 l = p->exit == 1 ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
+  // against several light samples a followed direction counts for less: only the ratio of the densities matters
+  float pdf = p->exit == 1 ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
   path->bounces = path->bounces - 1u; // path_continue counts it
-  path_continue(&queues, path, index, surface_leave(position, lobe.geometric, l, s.size), l,
-                refracted ? 0.0f : lobe_value(&lobe, l), throughput, path->event);
+  path_continue(&queues, path, index, surface_leave(at.position, at.lobe.geometric, l, at.size), l, pdf, at.throughput,
+                path->event);
 }

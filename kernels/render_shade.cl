@@ -195,7 +195,7 @@ kernel void shade(global TynPathState *paths, global TynPathResult *results, glo
   int crossed = !surface.metal && surface.eta == 1.0f; // no interface
   if ((!smooth && !crossed) || (!surface.metal && (below == BELOW_BASE || below == BELOW_SCATTERED)))
     light = light_sample(p, &scene.geometry, &scene.images, &scene.lights, materials, textures, s.position, draws,
-                         TYN_DRAW_LIGHT);
+                         TYN_DRAW_LIGHT, 0, 1);
   float3 arriving = light.radiance * throughput;
   if (light.pdf > 0.0f) arriving = arriving / light.pdf;
 
@@ -216,8 +216,10 @@ kernel void shade(global TynPathState *paths, global TynPathResult *results, glo
     path_continue(&queues, path, index, surface_leave(s.position, s.geometric, at.direction, s.size), at.direction, at.pdf,
                   throughput * at.weight, specular);
   } else if (below == BELOW_INTERIOR) {
+    // a little inside, so that rounding cannot put the start of a grazing walk outside
+    float3 start = s.position - s.geometric * (s.size * 0x1p-22f);
     uint triangle = path->triangle - meshes[s.mesh].first_triangle;
-    shade_enter(p, &scene, &queues, &walks, path, index, s.position, at.direction, s.mesh, triangle, &m, throughput, draws);
+    shade_enter(p, &scene, &queues, &walks, path, index, start, at.direction, s.mesh, triangle, &m, throughput, draws);
   } else if (below == BELOW_STRAIGHT) {
     path_continue(&queues, path, index, surface_leave(s.position, s.geometric, direction, s.size), direction, 0.0f,
                   throughput * m.base_color, specular);

@@ -70,7 +70,7 @@ typedef struct TynWalkParameters {
   uint32_t medium_count;
   uint32_t triangle_count;
   uint32_t slice; // entries per work-item
-  uint32_t reserved;
+  uint32_t callers_winding; // 1: exits give u and v for the caller's order of vertices, else for the scene's
 } TynWalkParameters; // 48 bytes
 
 // What one walk adds to the ledger beside what its exit says.

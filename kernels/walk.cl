@@ -33,6 +33,7 @@ typedef struct {
   global const TynWalkEntry *entries;
   global TynWalkExit *exits;
   global TynWalkTally *tallies;
+  global const uint *turned; // a bit a triangle: its second and third vertex are in the other order than the caller's
 } WalkBuffers;
 
 // The state of TYN_LANES walks.
@@ -72,8 +73,15 @@ static void walk_set_vector(LaneFloats *v, int lane, float3 value) {
   v[2].lane[lane] = value.z;
 }
 
+// Geometric normal where a walk goes out along `direction`. A triangle without area, which closes the gap that rounding opens
+// beside an edge, has none of its own.
+static float3 walk_outward_normal(WalkBuffers buffers, TynTriangleRecord triangle, float3 direction) {
+  float3 ng = surface_geometric_normal(buffers.geometry, triangle);
+  return tyn_dot(ng, ng) > 0.5f ? ng : direction;
+}
+
 // Writes the exit and tally of a walk that has ended, and frees its lane.
-static void walk_write(WalkBuffers buffers, Walks *walks, int lane) {
+static void walk_write(WalkBuffers buffers, Walks *walks, int lane, uint callers_winding) {
   uint status = (uint)walks->status.lane[lane];
   uint index = walks->index.lane[lane];
   global const TynWalkEntry *entry = buffers.entries + index;
@@ -112,9 +120,13 @@ static void walk_write(WalkBuffers buffers, Walks *walks, int lane) {
   float2 uv = (float2)(0.0f, 0.0f);
   if (triangle != TYN_NONE) {
     TynTriangleRecord record = buffers.geometry.triangles[triangle];
-    ng = surface_geometric_normal(buffers.geometry, record);
-    ns = surface_shading_normal(buffers.geometry, record, exit->u, exit->v, ng);
-    uv = surface_uv(buffers.geometry, record, exit->u, exit->v);
+    ng = walk_outward_normal(buffers, record, direction);
+    ns = surface_shading_normal(buffers.geometry, record, walks->u[lane], walks->v[lane], ng);
+    uv = surface_uv(buffers.geometry, record, walks->u[lane], walks->v[lane]);
+    if (callers_winding && (buffers.turned[triangle / 32u] >> (triangle % 32u) & 1u)) {
+      exit->u = walks->v[lane];
+      exit->v = walks->u[lane];
+    }
     triangle -= buffers.geometry.meshes[record.mesh].first_triangle;
   }
   tyn_store3_global(exit->geometric_normal, ng);
@@ -145,6 +157,13 @@ static int walk_refract_in(Walks *walks, int lane, float3 ng, uint2 key) {
   InterfaceSample sample = tyn_interface_sample(d, eta, walks->alpha[lane], counter, key);
   walk_set_vector(walks->direction, lane, tyn_to_world(frame, sample.direction));
   return sample.transmitted;
+}
+
+// Moves a point on the boundary a little inside: rounding may have put it outside, where a grazing ray beside an edge would
+// miss the mesh. The slack is 16 ulps of the largest coordinate; a quarter covers the rounding of an interpolated point.
+static void walk_move_inside(WalkBuffers buffers, Walks *walks, int lane, float3 ng) {
+  float step = 0.25f * buffers.geometry.meshes[walks->mesh[lane]].slack;
+  walk_set_vector(walks->position, lane, walk_vector(walks->position, lane) - ng * step);
 }
 
 // Starts the walk of entry `index` in a lane. A walk that ends at once (bad index, all reflected) leaves the lane inactive.
@@ -193,6 +212,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
 
   uint triangle = buffers.geometry.meshes[mesh].first_triangle + local_triangle;
   float3 ng = surface_geometric_normal(buffers.geometry, buffers.geometry.triangles[triangle]);
+  walk_move_inside(buffers, walks, lane, ng);
   if (entry->kind == TYN_ENTRY_COSINE) {
     uint4 random = tyn_philox(tyn_uint4((uint)path, (uint)(path >> 32), 0u, TYN_DOMAIN_ENTRY), key);
     float3 d = tyn_sample_cosine(tyn_uniform(random.x), tyn_uniform(random.y));
@@ -215,9 +235,10 @@ static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key
     walks->status.lane[lane] = TYN_WALK_ESCAPED;
     return;
   }
-  float3 ng = surface_geometric_normal(buffers.geometry, record);
+  float3 direction = walk_vector(walks->direction, lane);
+  float3 ng = walk_outward_normal(buffers, record, direction);
   TynFrame frame = tyn_frame(-ng);
-  float3 d = tyn_to_local(frame, walk_vector(walks->direction, lane));
+  float3 d = tyn_to_local(frame, direction);
   d.z = fmin(d.z, -1e-7f);
   InterfaceSample sample;
   if (walks->alpha[lane] < TYN_SMOOTH_ALPHA) {
@@ -233,6 +254,7 @@ static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key
     walks->status.lane[lane] = TYN_WALK_ESCAPED;
     return;
   }
+  walk_move_inside(buffers, walks, lane, ng);
   float sigma = walks->sigma_t[0].lane[lane] + walks->sigma_t[1].lane[lane] + walks->sigma_t[2].lane[lane];
   uint limit = sigma > 0.0f ? WALK_TRAPPED : WALK_TRAPPED_CLEAR;
   if (++walks->reflections[lane] > limit) walks->status.lane[lane] = TYN_WALK_CAPPED;
@@ -374,7 +396,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
                        global const TynTriangleRecord *triangles, global const float *positions,
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
                        global const TynMediumRecord *media, global const TynWalkEntry *entries,
-                       global TynWalkExit *exits, global TynWalkTally *tallies, TynWalkParameters parameters) {
+                       global TynWalkExit *exits, global TynWalkTally *tallies, global const uint *turned,
+                       TynWalkParameters parameters) {
   WalkBuffers buffers;
   buffers.nodes = nodes;
   buffers.blocks = blocks;
@@ -387,6 +410,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   buffers.entries = entries;
   buffers.exits = exits;
   buffers.tallies = tallies;
+  buffers.turned = turned;
   uint2 key = tyn_uint2(parameters.seed[0], parameters.seed[1]);
 
   uint begin = (uint)get_global_id(0) * parameters.slice;
@@ -409,7 +433,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   for (;;) {
     for (int lane = 0; lane < TYN_LANES; ++lane) {
       for (;;) { // more than once if a walk ends as it begins
-        if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING) walk_write(buffers, &walks, lane);
+        if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING) walk_write(buffers, &walks, lane, parameters.callers_winding);
         if (walks.active.lane[lane] || next == end) break;
         walk_begin(buffers, parameters, &walks, lane, next++);
       }

@@ -39,6 +39,7 @@ void walk_on_host(TynScene &scene, const TynWalkOptions &options, const TynWalkE
   Buffer tally_buffer(context, batch * sizeof(TynWalkTally));
   std::vector<TynWalkTally> tallies(batch);
   TynWalkParameters parameters = walk_parameters(scene, options);
+  parameters.callers_winding = 1;
   for (size_t begin = 0; begin < count; begin += batch) {
     if (options.progress && options.progress(options.user, double(begin) / double(count)) != 0)
       fail(TYN_ERROR_CANCELLED, "cancelled after %zu of %zu walks", begin, count);
@@ -69,6 +70,7 @@ void walk_on_device(TynScene &scene, const TynWalkOptions &options, cl_mem entri
   require_buffer("exits", exits, count * sizeof(TynWalkExit));
   TynContext &context = scene.context;
   TynWalkParameters parameters = walk_parameters(scene, options);
+  parameters.callers_winding = 1;
   parameters.count = static_cast<uint32_t>(count);
   // OpenCL keeps the buffer alive until the kernel is done, also after it is released here
   Buffer tallies(context, count * sizeof(TynWalkTally));

@@ -445,7 +445,7 @@ typedef struct TynMeshInfo {
   uint32_t closed;               /* 1: no boundary and no non-manifold edge */
   uint32_t boundary_edges;       /* edges with one triangle */
   uint32_t nonmanifold_edges;    /* edges with more than two triangles */
-  uint32_t degenerate_triangles; /* of zero area or with a repeated vertex: never hit by a ray */
+  uint32_t degenerate_triangles; /* of zero area or with a repeated vertex: seen by rays only through rounding, where they close a gap */
   uint32_t duplicate_triangles;
   uint32_t components;           /* connected over shared edges */
   uint32_t inverted_components;  /* components whose triangles faced inwards and were turned (only the outermost orientation rule is applied: signed volume of the whole mesh > 0) */
