@@ -38,6 +38,7 @@ Json glowing(const std::string &name, const Json &tint, float strength) {
   Json material = surface(name, colour(0, 0, 0), 0, 1);
   material["emissiveFactor"] = tint;
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+  material["extensions"]["KHR_materials_ior"]["ior"] = 1; // nothing is mirrored in a flame
   return material;
 }
 
@@ -116,7 +117,7 @@ void add_table(Scene &scene) {
   const Json wood = surface("table", colour(0.16f, 0.085f, 0.05f), 0, 0.42f);
   scene.add("table", quad({-45, 0, 40}, {45, 0, 40}, {45, 0, -26}, {-45, 0, -26}), wood);
   const Json plaster = surface("wall", colour(0.36f, 0.29f, 0.24f), 0, 0.9f);
-  scene.add("wall", quad({-45, 0, -26}, {45, 0, -26}, {45, 50, -26}, {-45, 50, -26}), plaster);
+  scene.add("wall", quad({-45, 0, -26}, {45, 0, -26}, {45, 40, -26}, {-45, 40, -26}), plaster);
 }
 
 constexpr Vec kCandle = {-2.0f, 0, 0};
@@ -126,23 +127,30 @@ void add_candle(Scene &scene) {
   const Frame place = turned(kCandle, 20);
   scene.add("candle", Candle(), 0.13f, place, scattering("wax", sigma_s, sigma_a, 1.44f, 0.45f));
 
-  std::vector<std::pair<float, float>> wick = {{0, 7.6f}, {0.09f, 7.62f}, {0.08f, 8.8f}, {0.05f, 9.0f}, {0, 9.02f}};
+  std::vector<std::pair<float, float>> wick = {{0, 7.3f}, {0.08f, 7.32f}, {0.07f, 8.7f}, {0.05f, 8.85f}, {0, 8.87f}};
   scene.add("wick", placed(lathe(wick, 12), place), surface("char", colour(0.02f, 0.017f, 0.015f), 0, 0.9f));
 
   // A drop with a long tip, in two parts: blue and weak at the root, where it hangs on the wick, and yellow above.
   std::vector<std::pair<float, float>> flame;
-  const float bottom = 9.05f, height = 3.3f;
+  const float bottom = 8.92f, height = 4.0f;
   for (int i = 0; i <= 28; ++i) {
     const float t = i / 28.0f;
-    flame.push_back({0.56f * std::pow(std::sin(kPi * std::pow(t, 0.62f)), 1.25f), bottom + height * t});
+    flame.push_back({0.62f * std::pow(std::sin(kPi * std::pow(t, 0.62f)), 1.25f), bottom + height * t});
   }
   flame.front().first = flame.back().first = 0;
-  scene.add("flame", placed(lathe(flame, 24), place), glowing("flame", colour(1.0f, 0.52f, 0.19f), 130));
+  scene.add("flame", placed(lathe(flame, 24), place), glowing("flame", colour(1.0f, 0.55f, 0.22f), 9));
+}
+
+// What the flame sends out, from a point at its tip: no surface is so near it that its reflected light is noise.
+void add_candlelight(Scene &scene) {
+  const Vec tip = kCandle + Vec{-0.3f, 13.6f, -0.6f};
+  scene.file().add_light("candlelight", in_metres(looking(tip, {0, 0, -1})),
+                         {{"type", "point"}, {"color", {1.0, 0.55, 0.22}}, {"intensity", 0.018}});
 }
 
 void add_hand(Scene &scene) {
   // The palm turned to the flame, the forearm coming in from the lower right.
-  const Vec wrist = {9.6f, 5.0f, 6.2f};
+  const Vec wrist = {11.0f, 4.7f, 7.6f};
   const Vec fingers = normalize({-0.62f, 0.78f, -0.12f});
   const Vec back = normalize(Vec{0.55f, 0.15f, 0.80f} - dot(Vec{0.55f, 0.15f, 0.80f}, fingers) * fingers);
   const Frame place = {cross(fingers, back), fingers, back, wrist};
@@ -183,29 +191,31 @@ void add_plinth(Scene &scene) {
 // Cold light through a window whose bars throw sharp shadows: they stay sharp on the table, soften in the marble, and
 // turn red in the skin.
 void add_moonlight(Scene &scene) {
-  const Vec from = {-70, 95, 85}, at = {0, 6, 2};
+  const Vec from = {-80, 78, 76}, at = {2, 6, -3};
   const Frame frame = looking(from, at - from);
   scene.file().add_light("moon", in_metres(frame),
                          {{"type", "spot"},
-                          {"color", {0.62, 0.80, 1.0}},
-                          {"intensity", 0.75},
-                          {"spot", {{"innerConeAngle", 0.10}, {"outerConeAngle", 0.19}}}});
+                          {"color", {0.74, 0.87, 1.0}},
+                          {"intensity", 3.4},
+                          {"spot", {{"innerConeAngle", 0.20}, {"outerConeAngle", 0.27}}}});
   const Json black = surface("window", colour(0.02f, 0.02f, 0.02f), 0, 1);
   Mesh bars;
-  const Vec centre = mix(from, at, 0.62f);
-  for (int i = -2; i <= 2; ++i) {
-    const Vec offset = 3.6f * i * frame.x + 0.6f * i * frame.y;
-    const Vec half = 0.32f * frame.x, up = 14.0f * frame.y;
-    const Vec c = centre + offset;
-    append(bars, quad(c - half - up, c + half - up, c + half + up, c - half + up));
-  }
+  const Vec centre = mix(from, at, 0.6f);
+  const auto bar = [&](float x, float y, float half_x, float half_y) {
+    const Vec c = centre + x * frame.x + y * frame.y, h = half_x * frame.x, v = half_y * frame.y;
+    append(bars, quad(c - h - v, c + h - v, c + h + v, c - h + v));
+  };
+  for (float x : {-8.1f, -2.7f, 2.7f, 8.1f})
+    bar(x, 0, 0.42f, 18);
+  for (float y : {-5.6f, 1.6f})
+    bar(0, y, 18, 0.36f);
   scene.add("window", bars, black);
 }
 
-// A large, dim, cool light from above, so that shadows are not black.
+// A little light from above, so that shadows are not black.
 void add_fill(Scene &scene) {
-  const Json sky = glowing("sky", colour(0.55f, 0.75f, 1.0f), 0.06f);
-  scene.add("sky", quad({-60, 70, 60}, {-60, 70, 0}, {40, 75, 0}, {40, 75, 60}), sky);
+  const Json sky = glowing("sky", colour(0.62f, 0.76f, 1.0f), 0.35f);
+  scene.add("sky", quad({-30, 32, 26}, {-30, 36, 8}, {6, 36, 8}, {6, 32, 26}), sky);
 }
 
 void add_camera(Scene &scene) {
@@ -231,6 +241,7 @@ int body(int argc, char **argv) {
   Scene scene;
   add_table(scene);
   add_candle(scene);
+  add_candlelight(scene);
   add_hand(scene);
   add_plinth(scene);
   add_muse(scene);

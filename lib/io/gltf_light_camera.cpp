@@ -28,15 +28,8 @@ Vector unit(const Vector &v, const std::string &what) {
   return v * (1 / size);
 }
 
-uint32_t light_type(const std::string &type, const std::string &where) {
-  if (type == "point")
-    return TYN_LIGHT_POINT;
-  if (type == "spot")
-    return TYN_LIGHT_SPOT;
-  if (type != "directional")
-    fail(TYN_ERROR_FORMAT, "%s.type is \"%s\"; it must be point, spot or directional", where.c_str(),
-         printable(type).c_str());
-  return TYN_LIGHT_DIRECTIONAL;
+uint32_t light_type(const std::string &type) {
+  return type == "point" ? TYN_LIGHT_POINT : type == "spot" ? TYN_LIGHT_SPOT : TYN_LIGHT_DIRECTIONAL;
 }
 
 void set_cone(const tinygltf::SpotLight &spot, TynLight &light, const std::string &where, Warnings &warnings) {
@@ -97,7 +90,7 @@ void add_light(const tinygltf::Model &model, const PlacedNode &node, LoadedScene
   const tinygltf::Light &source = model.lights[size_t(index)];
   const std::string where = text("extensions.KHR_lights_punctual.lights[%d]", index);
   TynLight light = tyn_light();
-  light.type = light_type(source.type, where);
+  light.type = light_type(source.type);
   for (size_t i = 0; i < 3; i++) {
     const double color = source.color.size() == 3 ? source.color[i] : 1;
     light.intensity[i] = limited(color * source.intensity, 0, 1e30, where + ": color x intensity", warnings);
@@ -122,11 +115,8 @@ void add_camera(const tinygltf::Model &model, const PlacedNode &node, LoadedScen
   TynCamera camera = tyn_camera();
   if (source.type == "perspective")
     set_perspective(source.perspective, camera, where + ".perspective");
-  else if (source.type == "orthographic")
-    set_orthographic(source.orthographic, camera, where + ".orthographic");
   else
-    fail(TYN_ERROR_FORMAT, "%s.type is \"%s\"; it must be perspective or orthographic", where.c_str(),
-         printable(source.type).c_str());
+    set_orthographic(source.orthographic, camera, where + ".orthographic");
   set_pose(node.world, camera, text("nodes[%d]: the camera", node.index));
   scene.cameras.push_back({carrier.name.empty() ? source.name : carrier.name, camera});
 }

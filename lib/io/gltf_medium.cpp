@@ -91,7 +91,8 @@ TynMedium make_medium(const tinygltf::Value &volume, const GltfScatter &scatter,
     const float sigma_t = float(extinction(c, distance, inside, warnings));
     if (!std::isfinite(sigma_t))
       fail(TYN_ERROR_FORMAT, "%s: -ln(%g) / %g is too large for single precision", inside.c_str(), c, distance);
-    const float albedo = scatter.object ? tyn_albedo_from_color(scatter.strength * scatter.color[i], scatter.g) : 0;
+    const float reflected = scatter.object ? scatter.strength * scatter.color[i] : 0;
+    const float albedo = reflected > 0 ? tyn_albedo_from_color(reflected, scatter.g) : 0; // the fit is not quite 0 at 0
     medium.sigma_s[i] = albedo * sigma_t;
     medium.sigma_a[i] = std::max(sigma_t - medium.sigma_s[i], 0.0f);
   }

@@ -8,6 +8,9 @@
 namespace tyn::io {
 namespace {
 
+// So many elements an accessor may always have, however few triangles are asked for.
+constexpr uint64_t MOST_SMALL_ELEMENTS = 1 << 20;
+
 Vector vector_at(const std::vector<float> &values, size_t index) {
   return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
 }
@@ -74,7 +77,7 @@ size_t repair_normals(LoadedMesh &mesh) {
 
 GltfMeshes::GltfMeshes(GltfDocument &source, const TynGltfOptions &options, Warnings &sink, LoadedScene &result)
     : document(source), warnings(sink), scene(result),
-      accessors(source, std::min<uint64_t>(options.max_triangles, TYN_NONE / 3) * 3),
+      accessors(source, std::max(MOST_SMALL_ELEMENTS, std::min<uint64_t>(options.max_triangles, TYN_NONE / 3) * 3)),
       materials(source, options, sink, result), max_triangles(options.max_triangles) {}
 
 // A primitive with what its material says.

@@ -15,7 +15,7 @@ namespace {
 enum class Kind {
   Object,
   Array,
-  String,
+  String, // one of those in `list`, which | separates, if there is one
   Boolean,
   Number,   // finite
   Unsigned, // an integer in [0, limit]
@@ -47,24 +47,36 @@ constexpr uint64_t ANY = (uint64_t)1 << 53; // what a double still counts exactl
   {path, Kind::Object, 0, nullptr}, {path ".buffer!", Kind::Index, 0, "buffers"},                                      \
       {path ".byteOffset", Kind::Unsigned, ANY, nullptr}, {path ".byteLength!", Kind::Unsigned, ANY, nullptr},         \
       {path ".byteStride!", Kind::Unsigned, 256, nullptr}, {path ".count!", Kind::Unsigned, INT_MAX, nullptr},         \
-      {path ".mode!", Kind::String, 0, nullptr}, {                                                                     \
-    path ".filter", Kind::String, 0, nullptr                                                                           \
+      {path ".mode!", Kind::String, 0, "ATTRIBUTES|TRIANGLES|INDICES"}, {                                                                     \
+    path ".filter", Kind::String, 0, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"                                                                           \
   }
 
 #define MATERIAL(extension) "materials[].extensions." extension
 
-// A parent comes before its children.
+// A parent comes before its children, and a list before the indices into it.
 const Rule RULES[] = {
+    {"scenes", Kind::Array, 0, nullptr},
+    {"nodes", Kind::Array, 0, nullptr},
+    {"meshes", Kind::Array, 0, nullptr},
+    {"accessors", Kind::Array, 0, nullptr},
+    {"bufferViews", Kind::Array, 0, nullptr},
+    {"buffers", Kind::Array, 0, nullptr},
+    {"skins", Kind::Array, 0, nullptr},
+    {"images", Kind::Array, 0, nullptr},
+    {"samplers", Kind::Array, 0, nullptr},
+    {"textures", Kind::Array, 0, nullptr},
+    {"cameras", Kind::Array, 0, nullptr},
+    {"materials", Kind::Array, 0, nullptr},
     {"extensionsUsed", Kind::Array, 0, nullptr},
     {"extensionsRequired", Kind::Array, 0, nullptr},
     {"extensions", Kind::Object, 0, nullptr},
+    {"extensions.KHR_lights_punctual", Kind::Object, 0, nullptr},
+    {"extensions.KHR_lights_punctual.lights!", Kind::Array, 0, nullptr},
     {"scene", Kind::Index, 0, "scenes"},
-    {"scenes", Kind::Array, 0, nullptr},
     {"scenes[]", Kind::Object, 0, nullptr},
     {"scenes[].nodes", Kind::Array, 0, nullptr},
     {"scenes[].nodes[]", Kind::Index, 0, "nodes"},
 
-    {"nodes", Kind::Array, 0, nullptr},
     {"nodes[]", Kind::Object, 0, nullptr},
     {"nodes[].name", Kind::String, 0, nullptr},
     {"nodes[].children", Kind::Array, 0, nullptr},
@@ -81,7 +93,6 @@ const Rule RULES[] = {
     {"nodes[].extensions.KHR_lights_punctual", Kind::Object, 0, nullptr},
     {"nodes[].extensions.KHR_lights_punctual.light!", Kind::Index, 0, "extensions.KHR_lights_punctual.lights"},
 
-    {"meshes", Kind::Array, 0, nullptr},
     {"meshes[]", Kind::Object, 0, nullptr},
     {"meshes[].name", Kind::String, 0, nullptr},
     {"meshes[].weights", Kind::Numbers, 0, nullptr},
@@ -96,14 +107,13 @@ const Rule RULES[] = {
     {"meshes[].primitives[].targets[]", Kind::Object, 0, nullptr},
     {"meshes[].primitives[].extensions", Kind::Object, 0, nullptr},
 
-    {"accessors", Kind::Array, 0, nullptr},
     {"accessors[]", Kind::Object, 0, nullptr},
     {"accessors[].bufferView", Kind::Index, 0, "bufferViews"},
     {"accessors[].byteOffset", Kind::Unsigned, ANY, nullptr},
     {"accessors[].componentType!", Kind::Unsigned, INT_MAX, nullptr},
     {"accessors[].normalized", Kind::Boolean, 0, nullptr},
     {"accessors[].count!", Kind::Unsigned, UINT32_MAX, nullptr},
-    {"accessors[].type!", Kind::String, 0, nullptr},
+    {"accessors[].type!", Kind::String, 0, "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4"},
     {"accessors[].min", Kind::Numbers, 0, nullptr},
     {"accessors[].max", Kind::Numbers, 0, nullptr},
     {"accessors[].sparse", Kind::Object, 0, nullptr},
@@ -116,7 +126,6 @@ const Rule RULES[] = {
     {"accessors[].sparse.values.bufferView!", Kind::Index, 0, "bufferViews"},
     {"accessors[].sparse.values.byteOffset", Kind::Unsigned, INT_MAX, nullptr},
 
-    {"bufferViews", Kind::Array, 0, nullptr},
     {"bufferViews[]", Kind::Object, 0, nullptr},
     {"bufferViews[].buffer!", Kind::Index, 0, "buffers"},
     {"bufferViews[].byteOffset", Kind::Unsigned, ANY, nullptr},
@@ -126,33 +135,27 @@ const Rule RULES[] = {
     MESHOPT("bufferViews[].extensions.EXT_meshopt_compression"),
     MESHOPT("bufferViews[].extensions.KHR_meshopt_compression"),
 
-    {"buffers", Kind::Array, 0, nullptr},
     {"buffers[]", Kind::Object, 0, nullptr},
     {"buffers[].byteLength!", Kind::Unsigned, ANY, nullptr},
     {"buffers[].uri", Kind::String, 0, nullptr},
     {"buffers[].extensions", Kind::Object, 0, nullptr},
-    {"skins", Kind::Array, 0, nullptr},
 
-    {"images", Kind::Array, 0, nullptr},
     {"images[]", Kind::Object, 0, nullptr},
     {"images[].name", Kind::String, 0, nullptr},
     {"images[].uri", Kind::String, 0, nullptr},
     {"images[].bufferView", Kind::Index, 0, "bufferViews"},
-    {"samplers", Kind::Array, 0, nullptr},
     {"samplers[]", Kind::Object, 0, nullptr},
     {"samplers[].magFilter", Kind::Unsigned, INT_MAX, nullptr},
     {"samplers[].minFilter", Kind::Unsigned, INT_MAX, nullptr},
     {"samplers[].wrapS", Kind::Unsigned, INT_MAX, nullptr},
     {"samplers[].wrapT", Kind::Unsigned, INT_MAX, nullptr},
-    {"textures", Kind::Array, 0, nullptr},
     {"textures[]", Kind::Object, 0, nullptr},
     {"textures[].source", Kind::Index, 0, "images"},
     {"textures[].sampler", Kind::Index, 0, "samplers"},
 
-    {"cameras", Kind::Array, 0, nullptr},
     {"cameras[]", Kind::Object, 0, nullptr},
     {"cameras[].name", Kind::String, 0, nullptr},
-    {"cameras[].type!", Kind::String, 0, nullptr},
+    {"cameras[].type!", Kind::String, 0, "perspective|orthographic"},
     {"cameras[].perspective", Kind::Object, 0, nullptr},
     {"cameras[].perspective.yfov!", Kind::Number, 0, nullptr},
     {"cameras[].perspective.znear!", Kind::Number, 0, nullptr},
@@ -164,11 +167,9 @@ const Rule RULES[] = {
     {"cameras[].orthographic.znear!", Kind::Number, 0, nullptr},
     {"cameras[].orthographic.zfar!", Kind::Number, 0, nullptr},
 
-    {"extensions.KHR_lights_punctual", Kind::Object, 0, nullptr},
-    {"extensions.KHR_lights_punctual.lights!", Kind::Array, 0, nullptr},
     {"extensions.KHR_lights_punctual.lights[]", Kind::Object, 0, nullptr},
     {"extensions.KHR_lights_punctual.lights[].name", Kind::String, 0, nullptr},
-    {"extensions.KHR_lights_punctual.lights[].type!", Kind::String, 0, nullptr},
+    {"extensions.KHR_lights_punctual.lights[].type!", Kind::String, 0, "point|spot|directional"},
     {"extensions.KHR_lights_punctual.lights[].color", Kind::Numbers, 3, nullptr},
     {"extensions.KHR_lights_punctual.lights[].intensity", Kind::Number, 0, nullptr},
     {"extensions.KHR_lights_punctual.lights[].range", Kind::Number, 0, nullptr},
@@ -176,11 +177,10 @@ const Rule RULES[] = {
     {"extensions.KHR_lights_punctual.lights[].spot.innerConeAngle", Kind::Number, 0, nullptr},
     {"extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", Kind::Number, 0, nullptr},
 
-    {"materials", Kind::Array, 0, nullptr},
     {"materials[]", Kind::Object, 0, nullptr},
     {"materials[].name", Kind::String, 0, nullptr},
     {"materials[].doubleSided", Kind::Boolean, 0, nullptr},
-    {"materials[].alphaMode", Kind::String, 0, nullptr},
+    {"materials[].alphaMode", Kind::String, 0, "OPAQUE|MASK|BLEND"},
     {"materials[].alphaCutoff", Kind::Number, 0, nullptr},
     {"materials[].emissiveFactor", Kind::Numbers, 3, nullptr},
     TEXTURE("materials[].emissiveTexture"),
@@ -242,6 +242,7 @@ private:
   void descend(Json &value, const char *path, const Rule &rule);
   void descend_array(Json &array, const char *path, const Rule &rule);
   void check_value(Json &value, const Rule &rule);
+  void check_string(const Json &value, const Rule &rule) const;
   uint64_t integer(Json &value) const;
   void check_numbers(const Json &value, const Rule &rule) const;
   size_t length_of(const char *list) const;
@@ -301,7 +302,7 @@ void Checker::check_value(Json &value, const Rule &rule) {
   case Kind::Array:
     return value.is_array() ? void() : refuse(value, "an array");
   case Kind::String:
-    return value.is_string() ? void() : refuse(value, "a string");
+    return check_string(value, rule);
   case Kind::Boolean:
     return value.is_boolean() ? void() : refuse(value, "true or false");
   case Kind::Number:
@@ -319,6 +320,16 @@ void Checker::check_value(Json &value, const Rule &rule) {
   case Kind::Numbers:
     return check_numbers(value, rule);
   }
+}
+
+void Checker::check_string(const Json &value, const Rule &rule) const {
+  if (!value.is_string())
+    refuse(value, "a string");
+  if (!rule.list)
+    return;
+  const std::string choices = "|" + std::string(rule.list) + "|", given = value.get<std::string>();
+  if (given.find('|') != std::string::npos || choices.find("|" + given + "|") == std::string::npos)
+    refuse(value, "one of " + std::string(rule.list));
 }
 
 // The value of an integer; 3.0 counts as one and is rewritten.

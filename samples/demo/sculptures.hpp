@@ -11,9 +11,9 @@ namespace demo {
 // A burnt candle: a hollow with a lit rim, runs of wax down the side, a pool at the foot.
 class Candle {
 public:
-  static constexpr float kRadius = 2.9f;
-  static constexpr float kHeight = 8.6f;
-  static constexpr float kHollow = 7.5f; // the lowest point of the hollow
+  static constexpr float kRadius = 2.15f;
+  static constexpr float kHeight = 7.9f;
+  static constexpr float kHollow = 7.2f; // the lowest point of the hollow
 
   Vec lower() const { return {-4.6f, -0.4f, -4.6f}; }
   Vec upper() const { return {4.6f, 10.2f, 4.6f}; }
@@ -23,7 +23,7 @@ public:
     const float rim = 0.22f * std::sin(2 * angle + 0.6f) + 0.12f * std::sin(5 * angle + 1.0f);
     const float bulge = 0.07f * std::sin(3 * angle + 0.4f * p.y) + 0.05f * std::sin(7 * angle - 0.5f * p.y);
     float d = cylinder(p, kRadius + bulge, 0, kHeight + rim, 0.35f);
-    d = cut(d, ellipsoid(p, {0, kHollow + 2.2f, 0}, {2.45f, 2.2f, 2.45f}), 0.35f);
+    d = cut(d, ellipsoid(p, {0, kHollow + 2.0f, 0}, {2.05f, 2.0f, 2.05f}), 0.35f);
     d = join(d, foot(p, angle), 0.6f);
     for (const Run &run : kRuns)
       d = join(d, drip(p, run), 0.45f);
@@ -34,8 +34,8 @@ private:
   struct Run {
     float angle, bottom, radius;
   };
-  static constexpr Run kRuns[7] = {{35, 3.4f, 0.34f},  {80, 5.6f, 0.30f},  {108, 1.6f, 0.38f}, {165, 4.4f, 0.33f},
-                                   {-28, 5.2f, 0.30f}, {-75, 2.6f, 0.36f}, {-140, 4.9f, 0.32f}};
+  static constexpr Run kRuns[7] = {{35, 3.4f, 0.30f},  {80, 5.4f, 0.26f},  {112, 1.6f, 0.33f}, {165, 4.2f, 0.29f},
+                                   {-28, 5.0f, 0.26f}, {-75, 2.6f, 0.31f}, {-140, 4.7f, 0.28f}};
 
   static float drip(Vec p, const Run &run) {
     const float a = radians(run.angle);
@@ -46,7 +46,7 @@ private:
   }
 
   static float foot(Vec p, float angle) {
-    const float r = 3.5f + 0.35f * std::sin(2 * angle + 2.0f) + 0.2f * std::sin(5 * angle);
+    const float r = 2.7f + 0.3f * std::sin(2 * angle + 2.0f) + 0.17f * std::sin(5 * angle);
     return ellipsoid(p, {0, 0, 0}, {r, 0.55f, r});
   }
 };
