@@ -15,18 +15,20 @@ static float3 camera_to_world(const TynCameraRecord *camera, float3 v) {
 kernel void camera_rays(global TynPathState *paths, global TynPathResult *results, global uint *queue,
                         TynRenderParameters parameters, TynCameraRecord camera) {
   uint index = (uint)get_global_id(0);
-  if (index >= parameters.pixel_count * parameters.sample_count) return;
+  if (index >= parameters.pixel_count * parameters.sample_count)
+    return;
   Draws draws = draws_of(&parameters, index, 0);
   float4 u = draws_uniform(draws, TYN_DRAW_CAMERA, 0);
   uint column = draws.path.y % parameters.width, row = draws.path.y / parameters.width;
   float x = (2.0f * (column + 0.5f + camera_tent(u.x)) / parameters.width - 1.0f) * camera.half_width;
   float y = (1.0f - 2.0f * (row + 0.5f + camera_tent(u.y)) / parameters.height) * camera.half_height;
 
-  int perspective = camera.type == 0; // TYN_CAMERA_PERSPECTIVE
+  int perspective = camera.type == TYN_CAMERA_PERSPECTIVE;
   float3 view = perspective ? tyn_vec3(x, y, -1.0f) : tyn_vec3(0.0f, 0.0f, -1.0f);
   float length = sqrt(tyn_dot(view, view)); // per unit of depth
   float3 origin = tyn_vec3(camera.world_from_camera[3], camera.world_from_camera[7], camera.world_from_camera[11]);
-  if (!perspective) origin = origin + camera_to_world(&camera, tyn_vec3(x, y, 0.0f));
+  if (!perspective)
+    origin = origin + camera_to_world(&camera, tyn_vec3(x, y, 0.0f));
 
   TynPathState path;
   float3 direction = tyn_normalize(camera_to_world(&camera, view));

@@ -14,18 +14,19 @@ typedef struct {
 
 // Light of one sample, nothing being in the way; `samples`: of how many.
 static float3 exit_light(const TynRenderParameters *p, const Leaving *at, const LightSample *light, float samples) {
-  // TYN_EXIT_DIELECTRIC: what a direction can meet is left to the walk's own direction
-  if (!light->valid || (p->exit == 1 && light->pdf > 0.0f)) return tyn_vec3(0.0f, 0.0f, 0.0f);
+  // what a direction can meet is then left to the walk's own direction
+  if (!light->valid || (p->exit == TYN_EXIT_DIELECTRIC && light->pdf > 0.0f))
+    return tyn_vec3(0.0f, 0.0f, 0.0f);
   float value = lobe_value(&at->lobe, light->direction);
   float density = light->pdf * samples;
   float weight = value * mis_weight_light(p, density, value) / (density > 0.0f ? density : samples);
   return light->radiance * at->throughput * weight;
 }
 
-kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks, global TynPathState *paths,
-                        global TynPathResult *results, global const TynWalkExit *exits,
-                        global const TynWalkEntry *entries, global const uint *walk_paths, uint count, global uint *next,
-                        volatile global uint *counters, global const TynTriangleRecord *triangles,
+kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks,
+                        global TynPathState *paths, global TynPathResult *results, global const TynWalkExit *exits,
+                        global const TynWalkEntry *entries, global const uint *walk_paths, uint count,
+                        global uint *next, volatile global uint *counters, global const TynTriangleRecord *triangles,
                         global const float *positions, global const float *normals, global const float *uvs,
                         global const TynMeshRecord *meshes, global const TynMediumRecord *media,
                         global const TynRenderMedium *render_media, global const TynMaterialRecord *materials,
@@ -34,9 +35,11 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
                         global const TynEmitterRecord *emitters, global const TynLightRecord *light_records,
                         global const TynEnvironmentTexel *texels, TynRenderParameters parameters) {
   uint i = (uint)get_global_id(0);
-  if (i >= count) return;
+  if (i >= count)
+    return;
   global const TynWalkExit *walked = exits + i;
-  if (walked->status != 0) return; // TYN_WALK_ESCAPED is all that goes on; the ledger has the rest
+  if (walked->status != TYN_WALK_ESCAPED)
+    return; // the ledger has the rest
   const Geometry geometry = {triangles, positions, normals, uvs, meshes};
   const Images images = {image_records, image_bytes, image_floats, decode};
   const Lights lights = {emitters, light_records, texels};
@@ -52,13 +55,16 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
   at.throughput = tyn_load3_global(walked->weight);
   at.throughput =
       at.throughput * path_roulette(path->bounces, at.throughput, draws_uniform(draws, TYN_DRAW_EXIT_CHOICE, 0).x);
-  if (!(path_largest(at.throughput) > 0.0f)) return;
+  if (!(path_largest(at.throughput) > 0.0f))
+    return;
 
   Surface s = surface_at(&geometry, meshes[mesh].first_triangle + walked->triangle, walked->u, walked->v);
   at.position = s.position;
   at.size = s.size;
-  at.lobe.shading = s.shading;
-  at.lobe.geometric = s.geometric;
+  at.lobe.shading = tyn_load3_global(walked->shading_normal);
+  at.lobe.geometric = tyn_load3_global(walked->geometric_normal);
+  if (tyn_dot(at.lobe.shading, at.lobe.geometric) <= 0.0f)
+    at.lobe.shading = at.lobe.geometric;
   at.lobe.ior = media[medium].ior;
   at.lobe.transmittance = render_media[medium].transmittance;
 
@@ -67,15 +73,17 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
     LightSample light = light_sample(p, &geometry, &images, &lights, materials, textures, at.position, draws,
                                      TYN_DRAW_EXIT_LIGHT, k, samples);
     float3 arriving = exit_light(p, &at, &light, (float)samples);
-    if (!(path_largest(arriving) > 0.0f)) continue;
+    if (!(path_largest(arriving) > 0.0f))
+      continue;
     LightRay ray = path_light_ray(&light, at.position, at.lobe.geometric, at.size);
     if (!tyn_trace_any(nodes, blocks, 0, ray.origin, ray.direction, 0.0f, ray.t_max))
       path_add(results + index, path->event, arriving);
   }
 
-  float3 l = p->exit == 1 ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
+  float3 l = p->exit == TYN_EXIT_DIELECTRIC ? tyn_load3_global(walked->direction)
+                                            : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
   // against several light samples a followed direction counts for less: only the ratio of the densities matters
-  float pdf = p->exit == 1 ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
+  float pdf = p->exit == TYN_EXIT_DIELECTRIC ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
   path->bounces = path->bounces - 1u; // path_continue counts it
   path_continue(&queues, path, index, surface_leave(at.position, at.lobe.geometric, l, at.size), l, pdf, at.throughput,
                 path->event);

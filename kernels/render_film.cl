@@ -38,7 +38,8 @@ static int film_add_sample(FilmPixel pixel, global const TynPathResult *result) 
   for (uint c = 0; c < 3; ++c)
     beauty[c] = ((result->light[0][c] + result->light[1][c]) + result->light[2][c]) + result->light[3][c];
   int good = isfinite(beauty[0]) && isfinite(beauty[1]) && isfinite(beauty[2]);
-  if (!good) beauty[0] = beauty[1] = beauty[2] = 0.0f;
+  if (!good)
+    beauty[0] = beauty[1] = beauty[2] = 0.0f;
   film_beauty(pixel, beauty, n);
   for (uint event = 0; event < TYN_EVENT_COUNT; ++event)
     for (uint c = 0; c < 3; ++c)
@@ -60,10 +61,12 @@ static int film_add_sample(FilmPixel pixel, global const TynPathResult *result) 
 kernel void film_add(global float *film, global const TynPathResult *results, volatile global uint *counters,
                      TynRenderParameters parameters) {
   uint i = (uint)get_global_id(0);
-  if (i >= parameters.pixel_count) return;
+  if (i >= parameters.pixel_count)
+    return;
   FilmPixel pixel;
   pixel.first = film + parameters.first_pixel + i;
   pixel.stride = (size_t)parameters.width * parameters.height;
   for (uint sample = 0; sample < parameters.sample_count; ++sample)
-    if (!film_add_sample(pixel, results + (size_t)sample * parameters.pixel_count + i)) atomic_inc(counters + TYN_COUNT_BAD);
+    if (!film_add_sample(pixel, results + (size_t)sample * parameters.pixel_count + i))
+      atomic_inc(counters + TYN_COUNT_BAD);
 }

@@ -10,17 +10,20 @@ static long ledger_fixed(float weight) {
 }
 
 static void ledger_add(long sums[TYN_LEDGER_COUNT], uint place, global const float *weight) {
-  for (uint c = 0; c < 3; ++c) sums[place + c] += ledger_fixed(weight[c]);
+  for (uint c = 0; c < 3; ++c)
+    sums[place + c] += ledger_fixed(weight[c]);
 }
 
 // `partial`: TYN_LEDGER_COUNT sums of each slice of TYN_LEDGER_SLICE walks.
-kernel void ledger_sum(global const TynWalkEntry *entries, global const TynWalkExit *exits, global const TynWalkTally *tallies,
-                       uint count, global long *partial) {
+kernel void ledger_sum(global const TynWalkEntry *entries, global const TynWalkExit *exits,
+                       global const TynWalkTally *tallies, uint count, global long *partial) {
   uint slice = (uint)get_global_id(0);
   uint first = slice * TYN_LEDGER_SLICE;
-  if (first >= count) return;
+  if (first >= count)
+    return;
   long sums[TYN_LEDGER_COUNT];
-  for (uint i = 0; i < TYN_LEDGER_COUNT; ++i) sums[i] = 0;
+  for (uint i = 0; i < TYN_LEDGER_COUNT; ++i)
+    sums[i] = 0;
   uint end = min(first + TYN_LEDGER_SLICE, count);
   for (uint i = first; i < end; ++i) {
     ledger_add(sums, TYN_LEDGER_ENTERED, entries[i].weight);
@@ -28,12 +31,18 @@ kernel void ledger_sum(global const TynWalkEntry *entries, global const TynWalkE
     ledger_add(sums, TYN_LEDGER_ABSORBED, tallies[i].absorbed);
     ledger_add(sums, TYN_LEDGER_BALANCE, tallies[i].balance);
     uint status = exits[i].status;
-    if (status == 0) ledger_add(sums, TYN_LEDGER_ESCAPED, exits[i].weight); // TYN_WALK_ESCAPED
-    if (status == 2) ledger_add(sums, TYN_LEDGER_CAPPED, exits[i].weight);  // TYN_WALK_CAPPED
-    if (status == 3) ledger_add(sums, TYN_LEDGER_LEAKED, exits[i].weight);  // TYN_WALK_LEAKED
-    if (status == 4) ledger_add(sums, TYN_LEDGER_LOST, exits[i].weight);    // TYN_WALK_LOST
+    if (status == TYN_WALK_ESCAPED)
+      ledger_add(sums, TYN_LEDGER_ESCAPED, exits[i].weight);
+    if (status == TYN_WALK_CAPPED)
+      ledger_add(sums, TYN_LEDGER_CAPPED, exits[i].weight);
+    if (status == TYN_WALK_LEAKED)
+      ledger_add(sums, TYN_LEDGER_LEAKED, exits[i].weight);
+    if (status == TYN_WALK_LOST)
+      ledger_add(sums, TYN_LEDGER_LOST, exits[i].weight);
     sums[TYN_LEDGER_SCATTERINGS] += exits[i].scatterings;
-    if (status < 6) sums[TYN_LEDGER_WALKS + status] += 1;
+    if (status < 6)
+      sums[TYN_LEDGER_WALKS + status] += 1;
   }
-  for (uint i = 0; i < TYN_LEDGER_COUNT; ++i) partial[(size_t)slice * TYN_LEDGER_COUNT + i] = sums[i];
+  for (uint i = 0; i < TYN_LEDGER_COUNT; ++i)
+    partial[(size_t)slice * TYN_LEDGER_COUNT + i] = sums[i];
 }

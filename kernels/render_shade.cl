@@ -32,7 +32,8 @@ typedef struct {
 
 static void shade_environment(const TynRenderParameters *p, const Scene *scene, global const TynPathState *path,
                               global TynPathResult *result) {
-  if (p->environment_hidden && path->bounces == 0) return;
+  if (p->environment_hidden && path->bounces == 0)
+    return;
   float2 uv = environment_uv(p, tyn_load3_global(path->direction));
   float weight = mis_weight_lobe(p, path->pdf, environment_pdf(p, &scene->images, &scene->lights, uv));
   float3 radiance = environment_at_uv(p, &scene->images, uv) * tyn_load3_global(path->throughput);
@@ -41,7 +42,8 @@ static void shade_environment(const TynRenderParameters *p, const Scene *scene, 
 
 static void shade_emission(const TynRenderParameters *p, global const TynPathState *path, global TynPathResult *result,
                            const Surface *s, global const TynMaterialRecord *m, float3 emission) {
-  if (path_largest(emission) <= 0.0f || !(s->front || (m->flags & TYN_MATERIAL_DOUBLE_SIDED))) return;
+  if (path_largest(emission) <= 0.0f || !(s->front || (m->flags & TYN_MATERIAL_DOUBLE_SIDED)))
+    return;
   float cosine = tyn_dot(s->geometric, tyn_load3_global(path->direction));
   float weight = mis_weight_lobe(p, path->pdf, light_triangle_pdf(m, path->t, cosine));
   path_add(result, path->event, emission * tyn_load3_global(path->throughput) * weight);
@@ -51,8 +53,8 @@ static void shade_emission(const TynRenderParameters *p, global const TynPathSta
 
 // Queues a walk that starts inside mesh `mesh` along `direction`. `triangle`: within the mesh, or TYN_NONE.
 static void shade_enter(const TynRenderParameters *p, const Scene *scene, const Queues *queues, const WalkQueue *walks,
-                        global TynPathState *path, uint index, float3 position, float3 direction, uint mesh, uint triangle,
-                        const MaterialPoint *m, float3 throughput, Draws draws) {
+                        global TynPathState *path, uint index, float3 position, float3 direction, uint mesh,
+                        uint triangle, const MaterialPoint *m, float3 throughput, Draws draws) {
   uint place = atomic_inc(queues->counters + TYN_COUNT_WALKS);
   global TynWalkEntry *entry = walks->entries + place;
   walks->paths[place] = index;
@@ -61,11 +63,12 @@ static void shade_enter(const TynRenderParameters *p, const Scene *scene, const 
   path_store(entry->position, position);
   path_store(entry->direction, direction);
   path_store(entry->weight, throughput);
-  entry->kind = 0; // TYN_ENTRY_INSIDE
+  entry->kind = TYN_ENTRY_INSIDE;
   entry->mesh = mesh;
   entry->triangle = triangle;
   entry->medium = medium;
-  for (int c = 0; c < 3; ++c) entry->sigma_t[c] = -1.0f;
+  for (int c = 0; c < 3; ++c)
+    entry->sigma_t[c] = -1.0f;
   if (m->multiscatter.x < 0.0f)
     path_store(entry->albedo, tyn_vec3(-1.0f, -1.0f, -1.0f));
   else
@@ -88,7 +91,8 @@ static float3 shade_inside_start(global const TynPathState *path, global const T
   float t = path->t_min;
   for (int axis = 0; axis < 3; ++axis) {
     float d = path->direction[axis];
-    if (d == 0.0f) continue;
+    if (d == 0.0f)
+      continue;
     float edge = d > 0.0f ? mesh->lower[axis] : mesh->upper[axis];
     t = fmax(t, (edge - path->origin[axis]) / d);
   }
@@ -97,12 +101,13 @@ static float3 shade_inside_start(global const TynPathState *path, global const T
 
 // ---- The first surface's layers -----------------------------------------------------------------------------------------
 
-static void shade_first_hit(const Scene *scene, global const TynPathState *path, global TynPathResult *result, const Surface *s,
-                            const MaterialPoint *m, int interior) {
+static void shade_first_hit(const Scene *scene, global const TynPathState *path, global TynPathResult *result,
+                            const Surface *s, const MaterialPoint *m, int interior) {
   float3 color = m->base_color;
   if (interior) {
     float3 inside = m->multiscatter;
-    if (inside.x < 0.0f) inside = tyn_load3_global(scene->render_media[scene->geometry.meshes[s->mesh].medium].color);
+    if (inside.x < 0.0f)
+      inside = tyn_load3_global(scene->render_media[scene->geometry.meshes[s->mesh].medium].color);
     color = mix(color, inside, m->transmission * (1.0f - m->metallic));
   }
   path_store(result->albedo, color);
@@ -119,27 +124,33 @@ static void shade_first_hit(const Scene *scene, global const TynPathState *path,
 #define BELOW_SCATTERED 3 // by a thin wall, forward or back
 
 static int shade_choose_below(const MaterialPoint *m, global const TynMaterialRecord *record, int interior, float4 u) {
-  if (u.y >= m->transmission) return BELOW_BASE;
-  if (record->flags & TYN_MATERIAL_THIN) return u.z < record->thin_scatter ? BELOW_SCATTERED : BELOW_STRAIGHT;
+  if (u.y >= m->transmission)
+    return BELOW_BASE;
+  if (record->flags & TYN_MATERIAL_THIN)
+    return u.z < record->thin_scatter ? BELOW_SCATTERED : BELOW_STRAIGHT;
   return interior ? BELOW_INTERIOR : BELOW_BASE;
 }
 
 kernel void shade(global TynPathState *paths, global TynPathResult *results, global const uint *queue, uint count,
                   global uint *next, global TynShadowRay *shadows, volatile global uint *counters,
-                  global TynWalkEntry *walk_entries, global uint *walk_paths,
-                  global const TynTriangleRecord *triangles, global const float *positions, global const float *normals,
-                  global const float *uvs, global const TynMeshRecord *meshes, global const TynMediumRecord *media,
+                  global TynWalkEntry *walk_entries, global uint *walk_paths, global const TynTriangleRecord *triangles,
+                  global const float *positions, global const float *normals, global const float *uvs,
+                  global const TynMeshRecord *meshes, global const TynMediumRecord *media,
                   global const TynRenderMedium *render_media, global const TynMaterialRecord *materials,
                   global const TynTextureRecord *textures, global const TynImageRecord *image_records,
                   global const uchar4 *image_bytes, global const float4 *image_floats, global const float *decode,
                   global const TynEmitterRecord *emitters, global const TynLightRecord *light_records,
                   global const TynEnvironmentTexel *texels, TynRenderParameters parameters) {
   uint i = (uint)get_global_id(0);
-  if (i >= count) return;
+  if (i >= count)
+    return;
   const Scene scene = {{triangles, positions, normals, uvs, meshes},
                        {image_records, image_bytes, image_floats, decode},
                        {emitters, light_records, texels},
-                       media, render_media, materials, textures};
+                       media,
+                       render_media,
+                       materials,
+                       textures};
   const Queues queues = {next, shadows, counters};
   const WalkQueue walks = {walk_entries, walk_paths};
   const TynRenderParameters *p = &parameters;
@@ -161,14 +172,17 @@ kernel void shade(global TynPathState *paths, global TynPathResult *results, glo
   int interior = !thin && medium != TYN_NONE && m.transmission > 0.0f;
 
   shade_emission(p, path, result, &s, record, m.emission);
-  if (path->bounces == 0) shade_first_hit(&scene, path, result, &s, &m, interior);
-  if (path->bounces >= p->max_bounces) return;
+  if (path->bounces == 0)
+    shade_first_hit(&scene, path, result, &s, &m, interior);
+  if (path->bounces >= p->max_bounces)
+    return;
 
   Draws draws = draws_of(p, index, path->bounces);
   float4 u = draws_uniform(draws, TYN_DRAW_CHOICE, 0); // metal, below, thin wall, roulette
   float3 throughput = tyn_load3_global(path->throughput);
   throughput = throughput * path_roulette(path->bounces, throughput, u.w);
-  if (!(path_largest(throughput) > 0.0f)) return;
+  if (!(path_largest(throughput) > 0.0f))
+    return;
 
   if (interior && !s.front) {
     float3 start = shade_inside_start(path, meshes + s.mesh);
@@ -197,7 +211,8 @@ kernel void shade(global TynPathState *paths, global TynPathResult *results, glo
     light = light_sample(p, &scene.geometry, &scene.images, &scene.lights, materials, textures, s.position, draws,
                          TYN_DRAW_LIGHT, 0, 1);
   float3 arriving = light.radiance * throughput;
-  if (light.pdf > 0.0f) arriving = arriving / light.pdf;
+  if (light.pdf > 0.0f)
+    arriving = arriving / light.pdf;
 
   InterfacePath at;
   at.transmitted = 1;
@@ -213,13 +228,12 @@ kernel void shade(global TynPathState *paths, global TynPathResult *results, glo
   float3 by_lobe = tyn_vec3(0.0f, 0.0f, 0.0f);
 
   if (!at.transmitted) {
-    path_continue(&queues, path, index, surface_leave(s.position, s.geometric, at.direction, s.size), at.direction, at.pdf,
-                  throughput * at.weight, specular);
+    path_continue(&queues, path, index, surface_leave(s.position, s.geometric, at.direction, s.size), at.direction,
+                  at.pdf, throughput * at.weight, specular);
   } else if (below == BELOW_INTERIOR) {
-    // a little inside, so that rounding cannot put the start of a grazing walk outside
-    float3 start = s.position - s.geometric * (s.size * 0x1p-22f);
     uint triangle = path->triangle - meshes[s.mesh].first_triangle;
-    shade_enter(p, &scene, &queues, &walks, path, index, start, at.direction, s.mesh, triangle, &m, throughput, draws);
+    shade_enter(p, &scene, &queues, &walks, path, index, s.position, at.direction, s.mesh, triangle, &m, throughput,
+                draws);
   } else if (below == BELOW_STRAIGHT) {
     path_continue(&queues, path, index, surface_leave(s.position, s.geometric, direction, s.size), direction, 0.0f,
                   throughput * m.base_color, specular);

@@ -5,13 +5,23 @@
 
 #include "shared.h"
 
+// The enumerations of tyndall.h that records carry, for kernels, which cannot include it. The ABI fixes their values.
+#ifdef __OPENCL_VERSION__
+enum { TYN_IMAGE_RGBA8_SRGB = 0, TYN_IMAGE_RGBA8_LINEAR = 1, TYN_IMAGE_RGBA32F = 2 };
+enum { TYN_WRAP_REPEAT = 0, TYN_WRAP_CLAMP = 1, TYN_WRAP_MIRROR = 2 };
+enum { TYN_FILTER_LINEAR = 0, TYN_FILTER_NEAREST = 1 };
+enum { TYN_LIGHT_POINT = 0, TYN_LIGHT_SPOT = 1, TYN_LIGHT_DIRECTIONAL = 2 };
+enum { TYN_CAMERA_PERSPECTIVE = 0, TYN_CAMERA_ORTHOGRAPHIC = 1 };
+enum { TYN_EXIT_DIFFUSE = 0, TYN_EXIT_DIELECTRIC = 1 };
+#endif
+
 // ---- Materials and textures ---------------------------------------------------------------------------------------------
 
 typedef struct TynImageRecord {
   uint32_t width, height;
   uint32_t format; // TYN_IMAGE_*
   uint32_t first;  // first texel: in the buffer of bytes for the 8-bit formats, else in the one of floats
-} TynImageRecord; // 16 bytes
+} TynImageRecord;  // 16 bytes
 
 typedef struct TynTextureRecord {
   uint32_t image; // TYN_NONE never: unused textures have no record
@@ -48,15 +58,15 @@ typedef struct TynMaterialRecord {
   float emission_density; // chance per area that a light sample falls on this material's triangles; 0: never
   float normal_scale;
   float scatter_strength;
-  uint32_t flags; // TYN_MATERIAL_*
+  uint32_t flags;                       // TYN_MATERIAL_*
   uint32_t textures[TYN_TEXTURE_COUNT]; // TynTextureRecord, or TYN_NONE
-} TynMaterialRecord; // 120 bytes
+} TynMaterialRecord;                    // 120 bytes
 
 // What the renderer knows of a medium beyond TynMediumRecord.
 typedef struct TynRenderMedium {
   float color[3];      // diffuse albedo of a half-space, for the albedo layer
   float transmittance; // as in TynMaterialRecord, for the medium's index
-} TynRenderMedium; // 16 bytes
+} TynRenderMedium;     // 16 bytes
 
 // ---- Lights -------------------------------------------------------------------------------------------------------------
 
@@ -67,12 +77,12 @@ typedef struct TynRenderMedium {
 // One row of the alias table from which light samples are drawn (Walker 1977): the row is kept if a uniform number is
 // below `threshold`, else row `alias` is taken.
 typedef struct TynEmitterRecord {
-  uint32_t kind;     // TYN_EMITTER_*
-  uint32_t index;    // light, or scene-wide triangle
+  uint32_t kind;  // TYN_EMITTER_*
+  uint32_t index; // light, or scene-wide triangle
   float threshold;
   uint32_t alias;
   float probability; // of this emitter
-} TynEmitterRecord; // 20 bytes
+} TynEmitterRecord;  // 20 bytes
 
 typedef struct TynLightRecord {
   float position[3];
@@ -87,7 +97,7 @@ typedef struct TynLightRecord {
 typedef struct TynEnvironmentTexel {
   float threshold;
   uint32_t alias;
-  float density; // of samples over the unit square of texture coordinates
+  float density;       // of samples over the unit square of texture coordinates
 } TynEnvironmentTexel; // 12 bytes
 
 // ---- Camera and parameters ----------------------------------------------------------------------------------------------
@@ -96,7 +106,7 @@ typedef struct TynCameraRecord {
   float world_from_camera[12];
   float half_width, half_height; // of the view at distance 1 (perspective), or everywhere (orthographic)
   float znear;
-  uint32_t type; // TYN_CAMERA_*
+  uint32_t type;   // TYN_CAMERA_*
 } TynCameraRecord; // 64 bytes
 
 // How direct light is found. The first is what users get; the others exist so that tests can compare the three.
@@ -113,8 +123,8 @@ typedef struct TynRenderParameters {
   uint32_t exit;     // TYN_EXIT_*
   uint32_t strategy; // TYN_STRATEGY_*
   uint32_t emitter_count;
-  float environment[3];       // radiance, or factor on the image
-  uint32_t environment_image; // TynImageRecord, or TYN_NONE
+  float environment[3];                   // radiance, or factor on the image
+  uint32_t environment_image;             // TynImageRecord, or TYN_NONE
   float environment_cos, environment_sin; // of the rotation
   float environment_probability;          // that a light sample is one of the environment
   uint32_t environment_hidden;
@@ -173,16 +183,16 @@ typedef struct TynShadowRay {
 
 // ---- Film ---------------------------------------------------------------------------------------------------------------
 // One plane of width x height floats each; means are over a pixel's samples.
-#define TYN_PLANE_BEAUTY 0      // 3 planes: mean
-#define TYN_PLANE_SPREAD 3      // 3 planes: sum of squared deviations from the mean (Welford 1962)
-#define TYN_PLANE_LUMINANCE 6   // the same of beauty's luminance
-#define TYN_PLANE_LIGHT 7       // 3 planes for each event: means
-#define TYN_PLANE_ALPHA 19      // mean
-#define TYN_PLANE_ALBEDO 20     // 3 planes: mean over all samples
-#define TYN_PLANE_NORMAL 23     // 3 planes: mean over all samples
-#define TYN_PLANE_DEPTH 26      // mean over the samples that hit
-#define TYN_PLANE_HITS 27       // number of samples that hit
-#define TYN_PLANE_SAMPLES 28    // number of samples
+#define TYN_PLANE_BEAUTY 0    // 3 planes: mean
+#define TYN_PLANE_SPREAD 3    // 3 planes: sum of squared deviations from the mean (Welford 1962)
+#define TYN_PLANE_LUMINANCE 6 // the same of beauty's luminance
+#define TYN_PLANE_LIGHT 7     // 3 planes for each event: means
+#define TYN_PLANE_ALPHA 19    // mean
+#define TYN_PLANE_ALBEDO 20   // 3 planes: mean over all samples
+#define TYN_PLANE_NORMAL 23   // 3 planes: mean over all samples
+#define TYN_PLANE_DEPTH 26    // mean over the samples that hit
+#define TYN_PLANE_HITS 27     // number of samples that hit
+#define TYN_PLANE_SAMPLES 28  // number of samples
 #define TYN_PLANE_COUNT 29
 
 // ---- Ledger -------------------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// tyndall-demo-scene: makes demo.glb, a still life by candlelight of what light goes into. After Georges de La Tour, who
-// painted a hand held before a candle, and the fingers red.
+// tyndall-demo-scene: makes demo.glb, a still life by candle and moon of things that light goes into. After Georges de
+// La Tour, who painted a hand held before a candle, and its fingers red.
 //
 // Everything is modelled here from distance functions, at its real size: lengths in this file are centimetres, in the
 // glTF file metres. Media are the measured ones of the library where there is one.
@@ -42,9 +42,9 @@ Json glowing(const std::string &name, const Json &tint, float strength) {
   return material;
 }
 
-// A surface that all light enters, over a medium given per mm. glTF says the extinction by the colour that is left after a
-// distance, and the albedo by the colour that comes back from a thick layer: both are inverted here, so that a reader gets
-// these coefficients back.
+// A surface that all light enters, over a medium given per mm. glTF says the extinction by the colour that is left
+// after a distance, and the albedo by the colour that comes back from a thick layer: both are inverted here, so that a
+// reader gets these coefficients back.
 Json scattering(const std::string &name, const double (&sigma_s)[3], const double (&sigma_a)[3], float ior,
                 float roughness) {
   Json material = surface(name, colour(1, 1, 1), 0, roughness);
@@ -120,37 +120,43 @@ void add_table(Scene &scene) {
   scene.add("wall", quad({-45, 0, -26}, {45, 0, -26}, {45, 40, -26}, {-45, 40, -26}), plaster);
 }
 
-constexpr Vec kCandle = {-2.0f, 0, 0};
+constexpr Vec kCandle = {-2.7f, 0, -0.4f};
+constexpr float kFlameHeight = 3.7f;
+const Json kFlameColour = {1.0, 0.55, 0.22};
 
 void add_candle(Scene &scene) {
   const double sigma_s[3] = {1.00, 0.95, 0.85}, sigma_a[3] = {0.0015, 0.0075, 0.032}; // honey-coloured wax
   const Frame place = turned(kCandle, 20);
   scene.add("candle", Candle(), 0.13f, place, scattering("wax", sigma_s, sigma_a, 1.44f, 0.45f));
 
-  std::vector<std::pair<float, float>> wick = {{0, 7.3f}, {0.08f, 7.32f}, {0.07f, 8.7f}, {0.05f, 8.85f}, {0, 8.87f}};
-  scene.add("wick", placed(lathe(wick, 12), place), surface("char", colour(0.02f, 0.017f, 0.015f), 0, 0.9f));
+  const float foot = Candle::kHollow + 0.1f, head = foot + 1.55f;
+  const std::vector<std::pair<float, float>> wick = {
+      {0, foot}, {0.08f, foot}, {0.07f, head - 0.2f}, {0.05f, head}, {0, head}};
+  const Json char_black = surface("char", colour(0.02f, 0.017f, 0.015f), 0, 0.9f);
+  scene.add("wick", placed(lathe(wick, 12), place), char_black);
 
-  // A drop with a long tip, in two parts: blue and weak at the root, where it hangs on the wick, and yellow above.
+  // A drop with a long tip.
   std::vector<std::pair<float, float>> flame;
-  const float bottom = 8.92f, height = 4.0f;
   for (int i = 0; i <= 28; ++i) {
     const float t = i / 28.0f;
-    flame.push_back({0.62f * std::pow(std::sin(kPi * std::pow(t, 0.62f)), 1.25f), bottom + height * t});
+    const float radius = 0.6f * std::pow(std::sin(kPi * std::pow(t, 0.62f)), 1.25f);
+    flame.push_back({radius, head + 0.05f + kFlameHeight * t});
   }
   flame.front().first = flame.back().first = 0;
-  scene.add("flame", placed(lathe(flame, 24), place), glowing("flame", colour(1.0f, 0.55f, 0.22f), 9));
+  scene.add("flame", placed(lathe(flame, 24), place), glowing("flame", kFlameColour, 5));
 }
 
-// What the flame sends out, from a point at its tip: no surface is so near it that its reflected light is noise.
+// What the flame sends out, from a point above it: no surface is so near that its reflected light
+// is noise.
 void add_candlelight(Scene &scene) {
-  const Vec tip = kCandle + Vec{-0.3f, 13.6f, -0.6f};
-  scene.file().add_light("candlelight", in_metres(looking(tip, {0, 0, -1})),
-                         {{"type", "point"}, {"color", {1.0, 0.55, 0.22}}, {"intensity", 0.018}});
+  const Vec above = kCandle + Vec{-0.3f, Candle::kHollow + 1.7f + kFlameHeight + 0.7f, -0.6f};
+  scene.file().add_light("candlelight", in_metres(looking(above, {0, 0, -1})),
+                         {{"type", "point"}, {"color", kFlameColour}, {"intensity", 0.024}});
 }
 
 void add_hand(Scene &scene) {
   // The palm turned to the flame, the forearm coming in from the lower right.
-  const Vec wrist = {11.0f, 4.7f, 7.6f};
+  const Vec wrist = {10.3f, 5.3f, 7.2f};
   const Vec fingers = normalize({-0.62f, 0.78f, -0.12f});
   const Vec back = normalize(Vec{0.55f, 0.15f, 0.80f} - dot(Vec{0.55f, 0.15f, 0.80f}, fingers) * fingers);
   const Frame place = {cross(fingers, back), fingers, back, wrist};
@@ -163,7 +169,7 @@ void add_muse(Scene &scene) {
 }
 
 void add_hare(Scene &scene) {
-  const double sigma_s[3] = {0.75, 0.95, 0.80}, sigma_a[3] = {0.065, 0.006, 0.035}; // green jade
+  const double sigma_s[3] = {0.55, 0.70, 0.58}, sigma_a[3] = {0.060, 0.014, 0.040}; // green jade
   const Frame place = turned({-9.5f, 0, 8.0f}, -28);
   scene.add("hare", Hare(), 0.11f, place, scattering("jade", sigma_s, sigma_a, 1.6f, 0.16f));
 }
@@ -196,8 +202,8 @@ void add_moonlight(Scene &scene) {
   scene.file().add_light("moon", in_metres(frame),
                          {{"type", "spot"},
                           {"color", {0.74, 0.87, 1.0}},
-                          {"intensity", 3.4},
-                          {"spot", {{"innerConeAngle", 0.20}, {"outerConeAngle", 0.27}}}});
+                          {"intensity", 3.0},
+                          {"spot", {{"innerConeAngle", 0.18}, {"outerConeAngle", 0.23}}}});
   const Json black = surface("window", colour(0.02f, 0.02f, 0.02f), 0, 1);
   Mesh bars;
   const Vec centre = mix(from, at, 0.6f);

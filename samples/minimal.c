@@ -16,9 +16,8 @@ enum { PATHS = 100000 };
 /* Edge 2. Triangles wind counter-clockwise seen from outside. */
 static const float corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
                                     {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
-static const uint32_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                          {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                          {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+static const uint32_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                          {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
 
 /* Every call answers with a status; the context keeps the reason of the last failure. */
 static void check(TynStatus status, const TynContext *context) {
@@ -37,8 +36,8 @@ static TynWalkEntry entry(int i) {
   const uint32_t *corner = triangles[i % 12];
   TynWalkEntry result = {.kind = TYN_ENTRY_COSINE, .weight = {1, 1, 1}, .medium = TYN_NONE};
   for (int axis = 0; axis < 3; ++axis)
-    result.position[axis] = (float)((1.0 - u - v) * corners[corner[0]][axis] +
-                                    u * corners[corner[1]][axis] + v * corners[corner[2]][axis]);
+    result.position[axis] =
+        (float)((1.0 - u - v) * corners[corner[0]][axis] + u * corners[corner[1]][axis] + v * corners[corner[2]][axis]);
   result.triangle = (uint32_t)(i % 12);
   result.albedo[0] = result.sigma_t[0] = -1.0f; /* negative: as the medium has them */
   return result;
@@ -86,8 +85,8 @@ int main(void) {
     printf("%c: escaped %.4f +- %.4f, absorbed %.4f, balance %+.4f\n", "RGB"[c], mean, error,
            ledger.absorbed[c] / PATHS, ledger.balance[c] / PATHS);
   }
-  printf("%.0f scatterings; walks leaked %.0f, lost %.0f\n", (double)ledger.scatterings,
-         (double)ledger.leaked_walks, (double)ledger.lost_walks);
+  printf("%.0f scatterings; walks leaked %.0f, lost %.0f\n", (double)ledger.scatterings, (double)ledger.leaked_walks,
+         (double)ledger.lost_walks);
   tyn_scene_release(scene); /* in any order: a scene keeps its context alive */
   tyn_context_release(context);
   return ledger.leaked_walks || ledger.lost_walks ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -69,9 +69,7 @@ std::string rgb(const float (&values)[3], double scale = 1.0, int digits = 3) {
   return rgb(wide, scale, digits);
 }
 
-std::string count(uint64_t n, const char *what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
+std::string count(uint64_t n, const char *what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 std::string name_or(const char *name, const std::string &otherwise) {
   return name && *name ? printable(name) : otherwise;
@@ -92,18 +90,15 @@ int show_devices(bool json) {
     entry.update(to_json(device));
     list.push_back(entry);
     table.add({std::to_string(i), printable(device.name), device.is_gpu ? "GPU" : "CPU",
-               std::to_string(device.compute_units),
-               number(double(device.memory) / (1 << 30), 3) + " GiB",
-               std::to_string(device.lane_width), printable(device.platform),
-               printable(device.driver)});
+               std::to_string(device.compute_units), number(double(device.memory) / (1 << 30), 3) + " GiB",
+               std::to_string(device.lane_width), printable(device.platform), printable(device.driver)});
   }
   if (json)
     print_json({{"devices", list}});
   else if (device_count)
     table.print(0);
   if (!device_count)
-    throw Error(kNoDevice,
-                "there is no OpenCL device (Debian's pocl-opencl-icd makes one of the CPU)");
+    throw Error(kNoDevice, "there is no OpenCL device (Debian's pocl-opencl-icd makes one of the CPU)");
   return kOk;
 }
 
@@ -116,17 +111,14 @@ Json coefficients(const TynMedium &medium, double metres_per_unit) {
     absorption.push_back(medium.sigma_a[i] * per_mm);
     scattering.push_back(medium.sigma_s[i] * per_mm);
   }
-  return {{"sigma_a_per_mm", absorption},
-          {"sigma_s_per_mm", scattering},
-          {"g", medium.g},
-          {"ior", medium.ior}};
+  return {{"sigma_a_per_mm", absorption}, {"sigma_s_per_mm", scattering}, {"g", medium.g}, {"ior", medium.ior}};
 }
 
 int show_media(bool json) {
   Json list = Json::array();
   Table table;
-  table.add({"medium", "sigma_s 1/mm", "sigma_a 1/mm", "g", "ior", "mean free path mm",
-             "diffusion length mm", "colour"});
+  table.add(
+      {"medium", "sigma_s 1/mm", "sigma_a 1/mm", "g", "ior", "mean free path mm", "diffusion length mm", "colour"});
   for (uint32_t i = 0; i < tyn_medium_preset_count(); ++i) {
     const char *name = tyn_medium_preset_name(i);
     TynMedium medium = tyn_medium();
@@ -139,9 +131,8 @@ int show_media(bool json) {
     entry["diffusion_length_mm"] = triple(lengths.diffusion_length_mm);
     entry["diffuse_albedo"] = triple(lengths.diffuse_albedo);
     list.push_back(entry);
-    table.add({name, rgb(medium.sigma_s), rgb(medium.sigma_a), number(medium.g, 3),
-               number(medium.ior, 3), rgb(lengths.mean_free_path_mm),
-               rgb(lengths.diffusion_length_mm), rgb(lengths.diffuse_albedo, 1.0, 2)});
+    table.add({name, rgb(medium.sigma_s), rgb(medium.sigma_a), number(medium.g, 3), number(medium.ior, 3),
+               rgb(lengths.mean_free_path_mm), rgb(lengths.diffusion_length_mm), rgb(lengths.diffuse_albedo, 1.0, 2)});
   }
   if (json)
     print_json({{"media", list}});
@@ -187,9 +178,8 @@ public:
     print_meshes();
     print_media();
     print_cameras();
-    std::printf("\nmaterials %u, images %u, lights %u, emissive triangles %u\n",
-                info_.material_count, info_.image_count, info_.light_count,
-                info_.emissive_triangle_count);
+    std::printf("\nmaterials %u, images %u, lights %u, emissive triangles %u\n", info_.material_count,
+                info_.image_count, info_.light_count, info_.emissive_triangle_count);
     if (!loaded_.warnings.empty())
       std::printf("%s, see above\n", count(loaded_.warnings.size(), "warning").c_str());
   }
@@ -208,10 +198,11 @@ private:
   double metres() const { return info_.metres_per_unit; }
 
   std::string size_text() const {
+    if (meshes_.empty())
+      return "nothing to see";
     std::string text;
     for (int i = 0; i < 3; ++i)
-      text +=
-          (i ? " x " : "") + number((double(info_.upper[i]) - info_.lower[i]) * metres() * 1e3, 4);
+      text += (i ? " x " : "") + number((double(info_.upper[i]) - info_.lower[i]) * metres() * 1e3, 4);
     return text + " mm";
   }
 
@@ -233,20 +224,19 @@ private:
     const double cm = metres() * 100.0;
     for (size_t i = 0; i < meshes_.size(); ++i) {
       const TynMeshInfo &mesh = meshes_[i];
-      table.add({name_or(mesh.name, "mesh " + std::to_string(i)),
-                 std::to_string(mesh.triangle_count), number(mesh.area * cm * cm),
-                 mesh.closed ? number(mesh.volume * cm * cm * cm) : "-", medium_name(mesh.medium),
-                 shape(mesh)});
+      table.add({name_or(mesh.name, "mesh " + std::to_string(i)), std::to_string(mesh.triangle_count),
+                 number(mesh.area * cm * cm), mesh.closed ? number(mesh.volume * cm * cm * cm) : "-",
+                 medium_name(mesh.medium), shape(mesh)});
     }
     std::printf("\n");
     table.print(0);
   }
 
-  // Light that cannot reach across a mesh leaves it looking solid; light that crosses it freely leaves it looking clear.
+  // Light that cannot reach across a mesh leaves it looking solid; light that crosses freely leaves it looking clear.
   void print_media() const {
     Table table;
-    table.add({"medium", "in mesh", "mean free path mm", "of the diagonal", "diffusion length mm",
-               "of the diagonal", "colour", "ior"});
+    table.add({"medium", "in mesh", "mean free path mm", "of the diagonal", "diffusion length mm", "of the diagonal",
+               "colour", "ior"});
     bool any = false;
     for (size_t i = 0; i < meshes_.size(); ++i) {
       const TynMeshInfo &mesh = meshes_[i];
@@ -255,10 +245,9 @@ private:
       any = true;
       const TynMedium inside = medium(mesh.medium);
       const TynMediumDescription d = describe(inside, metres(), length(mesh.lower, mesh.upper));
-      table.add({medium_name(mesh.medium), name_or(mesh.name, "mesh " + std::to_string(i)),
-                 rgb(d.mean_free_path_mm), rgb(d.mean_free_path_fraction, 1.0, 2),
-                 rgb(d.diffusion_length_mm), rgb(d.diffusion_length_fraction, 1.0, 2),
-                 rgb(d.diffuse_albedo, 1.0, 2), number(inside.ior, 3)});
+      table.add({medium_name(mesh.medium), name_or(mesh.name, "mesh " + std::to_string(i)), rgb(d.mean_free_path_mm),
+                 rgb(d.mean_free_path_fraction, 1.0, 2), rgb(d.diffusion_length_mm),
+                 rgb(d.diffusion_length_fraction, 1.0, 2), rgb(d.diffuse_albedo, 1.0, 2), number(inside.ior, 3)});
     }
     std::printf("\n");
     if (any)
@@ -271,8 +260,7 @@ private:
     for (uint32_t i = 0; i < info_.camera_count; ++i) {
       const TynCamera camera = scene_camera(i);
       const bool perspective = camera.type == TYN_CAMERA_PERSPECTIVE;
-      std::printf("%scamera %u  %s, %s %s\n", i ? "" : "\n", i,
-                  name_or(camera.name, "unnamed").c_str(),
+      std::printf("%scamera %u  %s, %s %s\n", i ? "" : "\n", i, name_or(camera.name, "unnamed").c_str(),
                   perspective ? "perspective" : "orthographic", view_text(camera).c_str());
     }
   }
@@ -313,9 +301,7 @@ private:
     return list;
   }
 
-  static Json index_or_null(uint32_t index) {
-    return index == TYN_NONE ? Json(nullptr) : Json(index);
-  }
+  static Json index_or_null(uint32_t index) { return index == TYN_NONE ? Json(nullptr) : Json(index); }
 
   Json medium_list() const {
     Json list = Json::array();
@@ -400,8 +386,7 @@ int body(int argc, char **argv) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_flag("--devices", arguments.list_devices, "list the OpenCL devices");
   app.add_flag("--media", arguments.list_media, "list the measured media");
-  app.add_option("--device", arguments.device, "OpenCL device (TYNDALL_DEVICE, else 0)")
-      ->type_name("INDEX|NAME");
+  app.add_option("--device", arguments.device, "OpenCL device (TYNDALL_DEVICE, else 0)")->type_name("INDEX|NAME");
   app.add_flag("--json", arguments.json, "one JSON object on standard output, and nothing else");
   app.add_flag("-q,--quiet", arguments.quiet, "no warnings");
   if (!parse_or_answer(app, kName, argc, argv))

@@ -20,9 +20,8 @@ namespace {
 using namespace tool;
 
 constexpr const char *kName = "tyndall-render";
-constexpr uint32_t kFirstErrorSamples =
-    16;                               // target_error is checked from here on (TynRenderBudget)
-constexpr double kSliceSeconds = 0.5; // between two looks at the error estimate
+constexpr uint32_t kFirstErrorSamples = 16; // target_error is checked from here on (TynRenderBudget)
+constexpr double kSliceSeconds = 0.5;       // between two looks at the error estimate
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -158,13 +157,14 @@ private:
     request.tool_name = kName;
     loaded_ = load_scene(context_.get(), request);
     TynScene *scene = loaded_.scene.get();
+    if (!scene_info(scene).mesh_count)
+      throw Error(kBadInput, arguments_.scene + ": there is no mesh in its scene");
     view_ = choose_view(scene, arguments_);
     light(scene);
     check(tyn_scene_commit(scene), context_.get());
     info_ = scene_info(scene);
     say("scene: %u meshes, %llu triangles, %u media, ready after %.2f s", info_.mesh_count,
-        static_cast<unsigned long long>(info_.triangle_count), info_.medium_count,
-        seconds_since(start));
+        static_cast<unsigned long long>(info_.triangle_count), info_.medium_count, seconds_since(start));
     create_renderer(scene);
   }
 
@@ -223,8 +223,7 @@ private:
 
   void write_images() {
     const size_t slash = arguments_.scene.rfind('/');
-    const std::string scene_name =
-        slash == std::string::npos ? arguments_.scene : arguments_.scene.substr(slash + 1);
+    const std::string scene_name = slash == std::string::npos ? arguments_.scene : arguments_.scene.substr(slash + 1);
     const std::string media = media_names();
     const TynAttribute attributes[] = {
         {"scene", scene_name.c_str()}, {"camera", view_.name.c_str()}, {"media", media.c_str()}};
@@ -263,9 +262,9 @@ private:
   }
 
   void print_summary() const {
-    std::printf("%s%s: %u x %u, %u samples a pixel in %.1f s, error %.2g %%\n",
-                interrupted() ? "interrupted; " : "", arguments_.exr.c_str(), stats_.width,
-                stats_.height, stats_.samples, stats_.seconds, 100.0 * stats_.error);
+    std::printf("%s%s: %u x %u, %u samples a pixel in %.1f s, error %.2g %%\n", interrupted() ? "interrupted; " : "",
+                arguments_.exr.c_str(), stats_.width, stats_.height, stats_.samples, stats_.seconds,
+                100.0 * stats_.error);
     if (!arguments_.png.empty())
       std::printf("%s\n", arguments_.png.c_str());
   }

@@ -18,7 +18,7 @@
 namespace tyn::io {
 namespace {
 
-constexpr int64_t LARGEST_SIDE = 32768;            // of a TynImage
+constexpr int64_t LARGEST_SIDE = 32768;           // of a TynImage
 constexpr int64_t MOST_PIXELS = int64_t(1) << 27; // 2 GiB of floats
 
 // The channels that hold R, G and B: these, or Y three times.
@@ -73,7 +73,8 @@ void convert_primaries(const Imf::Header &header, ExrImage &image) {
   if (!Imf::hasChromaticities(header))
     return;
   const Imf::Chromaticities rec709, &given = Imf::chromaticities(header);
-  if (given.red == rec709.red && given.green == rec709.green && given.blue == rec709.blue && given.white == rec709.white)
+  if (given.red == rec709.red && given.green == rec709.green && given.blue == rec709.blue &&
+      given.white == rec709.white)
     return;
   const Imath::M44f matrix = Imf::RGBtoXYZ(given, 1) * Imf::XYZtoRGB(rec709, 1);
   for (size_t i = 0; i < image.pixels.size(); i += 4) {

@@ -34,7 +34,8 @@ public:
   }
 
 private:
-  template <class Action> void keep(Action action) {
+  template <class Action>
+  void keep(Action action) {
     try {
       action();
     } catch (const Failure &failure) {

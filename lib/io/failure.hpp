@@ -41,7 +41,8 @@ private:
 
 // A copy of a caller's option struct; NULL means the defaults. A shorter struct comes from a program that was compiled for an
 // earlier library: what it lacks keeps its default.
-template <class Options> Options copy_options(const char *type, const Options *given, Options defaults) {
+template <class Options>
+Options copy_options(const char *type, const Options *given, Options defaults) {
   if (!given)
     return defaults;
   if (given->size < 2 * sizeof(size_t) || given->size > sizeof(Options))
@@ -52,7 +53,8 @@ template <class Options> Options copy_options(const char *type, const Options *g
 }
 
 // Runs `body` and answers with its status; the message goes to the context (NULL: INVALID_ARGUMENT).
-template <class Body> TynStatus guarded(TynContext *context, Body &&body) {
+template <class Body>
+TynStatus guarded(TynContext *context, Body &&body) {
   if (!context)
     return TYN_ERROR_INVALID_ARGUMENT;
   try {

@@ -9,7 +9,8 @@
 namespace tyn::io {
 namespace {
 
-template <class T> T load(const uint8_t *bytes) {
+template <class T>
+T load(const uint8_t *bytes) {
   T value; // glTF data is little-endian, and need not be aligned
   std::memcpy(&value, bytes, sizeof value);
   return value;
@@ -168,8 +169,8 @@ void GltfAccessors::overlay_sparse(int index, const Layout &layout, std::vector<
   of_indices.type = sparse.indices.componentType;
   of_indices.size = component_size(sparse.indices.componentType);
   if (!is_index_type(sparse.indices.componentType))
-    fail(TYN_ERROR_FORMAT, "%s.sparse.indices has componentType %d; it must be an unsigned integer", layout.where.c_str(),
-         sparse.indices.componentType);
+    fail(TYN_ERROR_FORMAT, "%s.sparse.indices has componentType %d; it must be an unsigned integer",
+         layout.where.c_str(), sparse.indices.componentType);
   const Span positions = elements(sparse.indices.bufferView, uint64_t(sparse.indices.byteOffset), count, of_indices,
                                   layout.where + ".sparse.indices");
   const Span source = elements(sparse.values.bufferView, uint64_t(sparse.values.byteOffset), count, of_values,

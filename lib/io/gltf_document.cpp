@@ -97,7 +97,8 @@ GltfDocument::GltfDocument(const std::string &model_path, const TynGltfOptions &
 }
 
 void GltfDocument::load_buffers(const std::vector<Source> &sources, const GltfContainer &container) {
-  uint64_t left = max_file_bytes; // for all together, so that a thousand references to one file cannot exhaust the memory
+  uint64_t left =
+      max_file_bytes; // for all together, so that a thousand references to one file cannot exhaust the memory
   for (size_t i = 0; i < sources.size(); i++) {
     const std::string where = text("buffers[%zu]", i);
     Buffer buffer;

@@ -54,9 +54,9 @@ LoadedImage decode(const Bytes &encoded, ColorSpace space, const std::string &wh
   LoadedImage result;
   result.width = uint32_t(image.width);
   result.height = uint32_t(image.height);
-  result.format = image.bits == 16             ? TYN_IMAGE_RGBA32F
+  result.format = image.bits == 16            ? TYN_IMAGE_RGBA32F
                   : space == ColorSpace::Srgb ? TYN_IMAGE_RGBA8_SRGB
-                                               : TYN_IMAGE_RGBA8_LINEAR;
+                                              : TYN_IMAGE_RGBA8_LINEAR;
   result.pixels = image.bits == 16 ? to_floats(image.image, space) : std::move(image.image);
   return result;
 }

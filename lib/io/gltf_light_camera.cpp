@@ -68,7 +68,8 @@ void set_perspective(const tinygltf::PerspectiveCamera &source, TynCamera &camer
 }
 
 void set_orthographic(const tinygltf::OrthographicCamera &source, TynCamera &camera, const std::string &where) {
-  const double xmag = std::abs(source.xmag), ymag = std::abs(source.ymag); // negative ones are allowed, but mean nothing
+  const double xmag = std::abs(source.xmag),
+               ymag = std::abs(source.ymag); // negative ones are allowed, but mean nothing
   require_in(xmag, 1e-30, 1e30, where + ".xmag", "not 0");
   require_in(ymag, 1e-30, 1e30, where + ".ymag", "not 0");
   require_in(xmag / ymag, 1e-6, 1e6, where + ": xmag / ymag", "> 0");

@@ -41,10 +41,9 @@ Indices add_materials(TynScene *scene, const std::vector<Named<TynMaterial>> &ma
   for (const Named<TynMaterial> &loaded : materials) {
     TynMaterial material = loaded.value;
     material.name = name_or_null(loaded.name);
-    for (TynTexture *texture :
-         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-          &material.emission_texture, &material.transmission_texture, &material.multiscatter_color_texture,
-          &material.scatter_strength_texture})
+    for (TynTexture *texture : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                &material.normal_texture, &material.emission_texture, &material.transmission_texture,
+                                &material.multiscatter_color_texture, &material.scatter_strength_texture})
       if (texture->image != TYN_NONE)
         texture->image = images[texture->image];
     indices.push_back(0);
@@ -120,7 +119,8 @@ void load(TynScene *scene, const char *path, const TynGltfOptions *given) {
   } catch (const Failure &failure) {
     // Every message names the file once.
     const std::string message = failure.what();
-    const bool named = message.find(printable(path)) != std::string::npos || failure.status == TYN_ERROR_INVALID_ARGUMENT;
+    const bool named =
+        message.find(printable(path)) != std::string::npos || failure.status == TYN_ERROR_INVALID_ARGUMENT;
     throw Failure(failure.status, named ? message : printable(path) + ": " + message);
   }
   add_all(scene, loaded, warnings);

@@ -86,10 +86,10 @@ void GltfMaterials::read_surface(Builder &builder) {
       textures.get(pbr.baseColorTexture, ColorSpace::Srgb, where + ".baseColorTexture", builder.uv_set);
   material.metallic_roughness_texture = textures.get(pbr.metallicRoughnessTexture, ColorSpace::Linear,
                                                      where + ".metallicRoughnessTexture", builder.uv_set);
-  material.normal_texture = textures.get(builder.source.normalTexture, ColorSpace::Linear,
-                                         builder.where + ".normalTexture", builder.uv_set);
-  material.normal_scale = limited(builder.source.normalTexture.scale, -1e6, 1e6, builder.where + ".normalTexture.scale",
-                                  warnings);
+  material.normal_texture =
+      textures.get(builder.source.normalTexture, ColorSpace::Linear, builder.where + ".normalTexture", builder.uv_set);
+  material.normal_scale =
+      limited(builder.source.normalTexture.scale, -1e6, 1e6, builder.where + ".normalTexture.scale", warnings);
   if (const tinygltf::Value *ior = extension(builder.source.extensions, "KHR_materials_ior"))
     material.ior =
         limited(number(*ior, "ior", 1.5), 1, 4, builder.where + ".extensions.KHR_materials_ior.ior", warnings);
@@ -158,8 +158,8 @@ void GltfMaterials::fill_with_volume(Builder &builder, const tinygltf::Value &vo
   builder.medium = add_medium(make_medium(volume, scatter, material.ior, builder.where, warnings), builder.source.name);
   if (!scatter.object)
     return;
-  material.multiscatter_color_texture = textures.get(*scatter.object, "multiscatterColorTexture", ColorSpace::Srgb,
-                                                     scatter.where, builder.uv_set);
+  material.multiscatter_color_texture =
+      textures.get(*scatter.object, "multiscatterColorTexture", ColorSpace::Srgb, scatter.where, builder.uv_set);
   material.scatter_strength_texture =
       textures.get(*scatter.object, "scatterStrengthTexture", ColorSpace::Linear, scatter.where, builder.uv_set);
   if (!has_texture(material.multiscatter_color_texture) && !has_texture(material.scatter_strength_texture))

@@ -66,8 +66,8 @@ GltfScatter find_scatter(const tinygltf::Material &material, const std::string &
   scatter.g = limited(number(*scatter.object, "scatterAnisotropy", 0), -LARGEST_G, LARGEST_G,
                       scatter.where + ".scatterAnisotropy", warnings);
   if (newer)
-    scatter.strength = limited(number(*newer, "scatterStrengthFactor", 0), 0, 1,
-                               scatter.where + ".scatterStrengthFactor", warnings);
+    scatter.strength =
+        limited(number(*newer, "scatterStrengthFactor", 0), 0, 1, scatter.where + ".scatterStrengthFactor", warnings);
   else
     std::fill(scatter.color, scatter.color + 3, 0.0f);
   read_color(*scatter.object, scatter, warnings);
@@ -96,8 +96,8 @@ TynMedium make_medium(const tinygltf::Value &volume, const GltfScatter &scatter,
     medium.sigma_s[i] = albedo * sigma_t;
     medium.sigma_a[i] = std::max(sigma_t - medium.sigma_s[i], 0.0f);
   }
-  const bool empty = medium.sigma_a[0] + medium.sigma_s[0] + medium.sigma_a[1] + medium.sigma_s[1] +
-                         medium.sigma_a[2] + medium.sigma_s[2] ==
+  const bool empty = medium.sigma_a[0] + medium.sigma_s[0] + medium.sigma_a[1] + medium.sigma_s[1] + medium.sigma_a[2] +
+                         medium.sigma_s[2] ==
                      0;
   if (scatter.object && empty)
     warnings.add("%s: nothing scatters, because attenuationColor is white or attenuationDistance is infinite",

@@ -25,7 +25,8 @@ bool has_any_texture(const TynMaterial &material) {
   return false;
 }
 
-void append_positions(const Triangles &triangles, const Affine &world, std::vector<float> &to, const std::string &where) {
+void append_positions(const Triangles &triangles, const Affine &world, std::vector<float> &to,
+                      const std::string &where) {
   for (size_t i = 0; i < triangles.vertex_count(); i++) {
     const Vector p = world.point(vector_at(triangles.positions, i));
     for (const double component : p) {
@@ -56,8 +57,8 @@ size_t repair_normals(LoadedMesh &mesh) {
   };
   for (size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     const Vector a = vector_at(mesh.positions, mesh.indices[t]);
-    const Vector n = cross(vector_at(mesh.positions, mesh.indices[t + 1]) - a,
-                           vector_at(mesh.positions, mesh.indices[t + 2]) - a);
+    const Vector n =
+        cross(vector_at(mesh.positions, mesh.indices[t + 1]) - a, vector_at(mesh.positions, mesh.indices[t + 2]) - a);
     for (size_t k = 0; k < 3; k++)
       sums[mesh.indices[t + k]] = sums[mesh.indices[t + k]] + n;
   }
@@ -95,10 +96,8 @@ std::vector<GltfMeshes::Piece> GltfMeshes::read_pieces(int mesh) {
     piece.where = text("meshes[%d].primitives[%zu]", mesh, i);
     piece.use = materials.get(primitives[i].material);
     piece.triangles = read_primitive(document, accessors, primitives[i], piece.use.uv_set, piece.where, warnings);
-    if (piece.triangles.indices.empty()) {
-      warnings.add("%s has no triangles", piece.where.c_str());
+    if (piece.triangles.indices.empty())
       continue;
-    }
     count(piece.triangles, piece.where);
     warn_about_uvs(piece.triangles, piece.use, piece.where);
     pieces.push_back(std::move(piece));
@@ -145,7 +144,8 @@ void GltfMeshes::count(const Triangles &triangles, const std::string &where) {
 
 void GltfMeshes::warn_about_uvs(const Triangles &triangles, const MaterialUse &use, const std::string &where) {
   if (triangles.uvs.empty() && has_any_texture(scene.materials[use.material].value))
-    warnings.add("%s has textures, but no TEXCOORD_%d: their texel at 0 0 is used everywhere", where.c_str(), use.uv_set);
+    warnings.add("%s has textures, but no TEXCOORD_%d: their texel at 0 0 is used everywhere", where.c_str(),
+                 use.uv_set);
 }
 
 void GltfMeshes::append(const Piece &piece, const Affine &world, LoadedMesh &mesh) {

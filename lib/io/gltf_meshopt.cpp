@@ -15,8 +15,8 @@ namespace {
 // The conditions that meshoptimizer asserts instead of checking.
 void check_layout(const MeshoptView &view, uint64_t max_bytes, const std::string &where) {
   const bool attributes = view.mode == "ATTRIBUTES";
-  const bool fits = attributes ? view.stride > 0 && view.stride % 4 == 0 && view.stride <= 256
-                               : view.stride == 2 || view.stride == 4;
+  const bool fits =
+      attributes ? view.stride > 0 && view.stride % 4 == 0 && view.stride <= 256 : view.stride == 2 || view.stride == 4;
   if (!fits)
     fail(TYN_ERROR_FORMAT, "%s.byteStride is %" PRIu64 ", which mode %s does not allow", where.c_str(), view.stride,
          view.mode.c_str());
@@ -37,8 +37,8 @@ void check_filter(const MeshoptView &view, const std::string &where) {
                     : view.filter == "QUATERNION" ? view.stride == 8
                                                   : true;
   if (!fits)
-    fail(TYN_ERROR_FORMAT, "%s.byteStride is %" PRIu64 ", which the filter %s does not allow", where.c_str(), view.stride,
-         view.filter.c_str());
+    fail(TYN_ERROR_FORMAT, "%s.byteStride is %" PRIu64 ", which the filter %s does not allow", where.c_str(),
+         view.stride, view.filter.c_str());
 }
 
 void apply_filter(const MeshoptView &view, Bytes &bytes) {

@@ -9,14 +9,16 @@ constexpr int NO_PARENT = -1;
 
 Affine from_matrix(const std::vector<double> &m, int index) { // column-major 4 x 4
   if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-    fail(TYN_ERROR_FORMAT, "nodes[%d].matrix is not affine: its last row is %g %g %g %g", index, m[3], m[7], m[11], m[15]);
+    fail(TYN_ERROR_FORMAT, "nodes[%d].matrix is not affine: its last row is %g %g %g %g", index, m[3], m[7], m[11],
+         m[15]);
   return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
 Affine from_quaternion(const std::vector<double> &q, int index) { // x y z w
   const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (!(norm > 1e-6) || !std::isfinite(norm))
-    fail(TYN_ERROR_FORMAT, "nodes[%d].rotation is %g %g %g %g; it must be a unit quaternion", index, q[0], q[1], q[2], q[3]);
+    fail(TYN_ERROR_FORMAT, "nodes[%d].rotation is %g %g %g %g; it must be a unit quaternion", index, q[0], q[1], q[2],
+         q[3]);
   const double x = q[0] / norm, y = q[1] / norm, z = q[2] / norm, w = q[3] / norm;
   Affine result;
   result.x = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)};
@@ -47,8 +49,8 @@ std::vector<int> find_parents(const tinygltf::Model &model) {
     for (const int child : model.nodes[i].children) {
       int &parent = parents[size_t(child)];
       if (parent != NO_PARENT)
-        fail(TYN_ERROR_FORMAT, "nodes[%d] is a child of nodes[%d] and again of nodes[%zu]; a node has one parent", child,
-             parent, i);
+        fail(TYN_ERROR_FORMAT, "nodes[%d] is a child of nodes[%d] and again of nodes[%zu]; a node has one parent",
+             child, parent, i);
       parent = int(i);
     }
   return parents;

@@ -14,8 +14,8 @@ bool is_listed(const tinygltf::Primitive &primitive, const char *attribute) {
 }
 
 // Vertices in the order in which the primitive draws them.
-std::vector<uint32_t> drawn_vertices(GltfAccessors &accessors, const tinygltf::Primitive &primitive, size_t vertex_count,
-                                     const std::string &where) {
+std::vector<uint32_t> drawn_vertices(GltfAccessors &accessors, const tinygltf::Primitive &primitive,
+                                     size_t vertex_count, const std::string &where) {
   std::vector<uint32_t> vertices;
   if (primitive.indices < 0) {
     vertices.resize(vertex_count);
@@ -114,15 +114,16 @@ void check_draco(const GltfDocument &document, const tinygltf::Primitive &primit
     return;
   const tinygltf::Accessor &positions = document.model.accessors[size_t(primitive.attributes.at("POSITION"))];
   if (positions.bufferView < 0 && !positions.sparse.isSparse)
-    fail(TYN_ERROR_FORMAT, "%s is compressed with KHR_draco_mesh_compression, which is not supported: save the model "
-                           "without compression or with EXT_meshopt_compression",
+    fail(TYN_ERROR_FORMAT,
+         "%s is compressed with KHR_draco_mesh_compression, which is not supported: save the model "
+         "without compression or with EXT_meshopt_compression",
          where.c_str());
 }
 
 } // namespace
 
-Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const tinygltf::Primitive &primitive, int uv_set,
-                         const std::string &where, Warnings &warnings) {
+Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const tinygltf::Primitive &primitive,
+                         int uv_set, const std::string &where, Warnings &warnings) {
   if (!gives_triangles(primitive, where, warnings))
     return {};
   check_draco(document, primitive, where);
@@ -141,6 +142,8 @@ Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const
     warnings.add("%s has %zu indices, which is not a multiple of 3; the last ones are ignored", where.c_str(),
                  vertices.size());
   all.indices = assemble(vertices, primitive.mode);
+  if (all.indices.empty())
+    warnings.add("%s has no triangles", where.c_str());
   return compacted(all);
 }
 

@@ -19,8 +19,8 @@ struct Triangles {
 
 // Reads a primitive: lists, strips and fans, indexed or not. Points and lines give no triangles and a warning. `uv_set`: which
 // TEXCOORD_n. Throws FORMAT.
-Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const tinygltf::Primitive &primitive, int uv_set,
-                         const std::string &where, Warnings &warnings);
+Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const tinygltf::Primitive &primitive,
+                         int uv_set, const std::string &where, Warnings &warnings);
 
 // Gives every triangle vertices of its own, with its geometric normal: flat shading as glTF wants it of a mesh without normals.
 void add_flat_normals(Triangles &triangles);

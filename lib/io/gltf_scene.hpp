@@ -13,7 +13,8 @@
 namespace tyn::io {
 
 // A struct of the API whose name member points to `name` once it is added.
-template <class T> struct Named {
+template <class T>
+struct Named {
   std::string name;
   T value;
 };

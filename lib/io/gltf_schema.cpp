@@ -47,8 +47,8 @@ constexpr uint64_t ANY = (uint64_t)1 << 53; // what a double still counts exactl
   {path, Kind::Object, 0, nullptr}, {path ".buffer!", Kind::Index, 0, "buffers"},                                      \
       {path ".byteOffset", Kind::Unsigned, ANY, nullptr}, {path ".byteLength!", Kind::Unsigned, ANY, nullptr},         \
       {path ".byteStride!", Kind::Unsigned, 256, nullptr}, {path ".count!", Kind::Unsigned, INT_MAX, nullptr},         \
-      {path ".mode!", Kind::String, 0, "ATTRIBUTES|TRIANGLES|INDICES"}, {                                                                     \
-    path ".filter", Kind::String, 0, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"                                                                           \
+      {path ".mode!", Kind::String, 0, "ATTRIBUTES|TRIANGLES|INDICES"}, {                                              \
+    path ".filter", Kind::String, 0, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"                                          \
   }
 
 #define MATERIAL(extension) "materials[].extensions." extension
@@ -248,7 +248,9 @@ private:
   size_t length_of(const char *list) const;
 
   [[noreturn]] void refuse(const Json &value, const std::string &allowed) const {
-    const std::string dump = value.is_structured() ? value.type_name() : value.dump(-1, ' ', true);
+    const std::string dump = value.is_object()  ? "an object"
+                             : value.is_array() ? "an array"
+                                                : value.dump(-1, ' ', true);
     fail(TYN_ERROR_FORMAT, "%s is %s; it must be %s", printable(where).c_str(), printable(dump).c_str(),
          allowed.c_str());
   }

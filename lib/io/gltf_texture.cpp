@@ -63,9 +63,10 @@ TynTexture GltfTextures::make(int index, int set, const tinygltf::ExtensionMap &
   if (uv_set < 0)
     uv_set = set;
   if (set != uv_set) {
-    warnings.add("%s uses TEXCOORD_%d, but the material's first texture uses TEXCOORD_%d: one set is supported, and the "
-                 "texture is ignored",
-                 where.c_str(), set, uv_set);
+    warnings.add(
+        "%s uses TEXCOORD_%d, but the material's first texture uses TEXCOORD_%d: one set is supported, and the "
+        "texture is ignored",
+        where.c_str(), set, uv_set);
     return tyn_texture();
   }
   if (source.sampler >= 0)

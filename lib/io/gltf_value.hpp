@@ -24,7 +24,8 @@ inline std::string string(const tinygltf::Value &object, const char *key) {
 }
 
 // Fills as many numbers as the array has; the others keep what they hold.
-template <size_t N> void numbers(const tinygltf::Value &object, const char *key, double (&result)[N]) {
+template <size_t N>
+void numbers(const tinygltf::Value &object, const char *key, double (&result)[N]) {
   const tinygltf::Value *value = member(object, key);
   for (size_t i = 0; value && i < N && i < value->ArrayLen(); i++)
     result[i] = value->Get(int(i)).GetNumberAsDouble();

@@ -76,7 +76,8 @@ Bytes read_file(const std::string &path, uint64_t limit) {
   uint64_t size = 0;
   const File file = open_regular(path, size);
   if (size > limit)
-    fail(TYN_ERROR_FILE, "%s has %" PRIu64 " bytes; at most %" PRIu64 " are read", printable(path).c_str(), size, limit);
+    fail(TYN_ERROR_FILE, "%s has %" PRIu64 " bytes; at most %" PRIu64 " are read", printable(path).c_str(), size,
+         limit);
   Bytes bytes(static_cast<size_t>(size));
   if (!bytes.empty() && std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
     fail(TYN_ERROR_FILE, "cannot read %s: %s", printable(path).c_str(),

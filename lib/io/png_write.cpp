@@ -32,7 +32,8 @@ bool is_color(const FilmLayer &layer) {
 class Mapping {
 public:
   Mapping(const FilmLayer &source, const TynPngOptions &given)
-      : layer(source), options(given), alpha(given.transparent && source.channels == 4), gain(std::exp2(given.exposure)) {
+      : layer(source), options(given), alpha(given.transparent && source.channels == 4),
+        gain(std::exp2(given.exposure)) {
     find_range();
   }
 

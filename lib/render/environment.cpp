@@ -74,8 +74,7 @@ EnvironmentSampling sample_environment(const TynScene &scene, uint32_t strategy)
   const std::vector<AliasRow> rows = alias_table(weights);
   result.texels.reserve(rows.size());
   for (size_t i = 0; i < rows.size(); i++)
-    result.texels.push_back(
-        {rows[i].threshold, rows[i].alias, float(weights[i] / result.power * double(rows.size()))});
+    result.texels.push_back({rows[i].threshold, rows[i].alias, float(weights[i] / result.power * double(rows.size()))});
   return result;
 }
 

@@ -17,10 +17,6 @@ constexpr Layer layers[TYN_LAYER_COUNT] = {
 
 } // namespace
 
-extern "C" const char *tyn_layer_name(uint32_t layer) {
-  return layer < TYN_LAYER_COUNT ? layers[layer].name : nullptr;
-}
+extern "C" const char *tyn_layer_name(uint32_t layer) { return layer < TYN_LAYER_COUNT ? layers[layer].name : nullptr; }
 
-extern "C" uint32_t tyn_layer_channels(uint32_t layer) {
-  return layer < TYN_LAYER_COUNT ? layers[layer].channels : 0;
-}
+extern "C" uint32_t tyn_layer_channels(uint32_t layer) { return layer < TYN_LAYER_COUNT ? layers[layer].channels : 0; }

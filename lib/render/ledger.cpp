@@ -24,10 +24,10 @@ TynLedger RenderLedger::value() const {
     uint32_t from;
   };
   const Row rows[] = {
-      {ledger.entered, TYN_LEDGER_ENTERED},   {ledger.reflected, TYN_LEDGER_REFLECTED},
-      {ledger.escaped, TYN_LEDGER_ESCAPED},   {ledger.absorbed, TYN_LEDGER_ABSORBED},
-      {ledger.balance, TYN_LEDGER_BALANCE},   {ledger.capped, TYN_LEDGER_CAPPED},
-      {ledger.leaked, TYN_LEDGER_LEAKED},     {ledger.lost, TYN_LEDGER_LOST},
+      {ledger.entered, TYN_LEDGER_ENTERED}, {ledger.reflected, TYN_LEDGER_REFLECTED},
+      {ledger.escaped, TYN_LEDGER_ESCAPED}, {ledger.absorbed, TYN_LEDGER_ABSORBED},
+      {ledger.balance, TYN_LEDGER_BALANCE}, {ledger.capped, TYN_LEDGER_CAPPED},
+      {ledger.leaked, TYN_LEDGER_LEAKED},   {ledger.lost, TYN_LEDGER_LOST},
   };
   for (const Row &row : rows)
     for (uint32_t c = 0; c < 3; c++)

@@ -53,8 +53,8 @@ double triangle_area(const Mesh &mesh, size_t triangle) {
   const Vec3 a = corner(0), b = corner(1), c = corner(2);
   const double ux = double(b.x) - double(a.x), uy = double(b.y) - double(a.y), uz = double(b.z) - double(a.z);
   const double vx = double(c.x) - double(a.x), vy = double(c.y) - double(a.y), vz = double(c.z) - double(a.z);
-  return 0.5 * std::sqrt(std::pow(uy * vz - uz * vy, 2) + std::pow(uz * vx - ux * vz, 2) +
-                         std::pow(ux * vy - uy * vx, 2));
+  return 0.5 *
+         std::sqrt(std::pow(uy * vz - uz * vy, 2) + std::pow(uz * vx - ux * vz, 2) + std::pow(ux * vy - uy * vx, 2));
 }
 
 // Power of one unit of area.

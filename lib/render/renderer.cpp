@@ -26,11 +26,12 @@ uint32_t next_check(uint32_t samples) {
   return (samples / (power / 4) + 1) * (power / 4);
 }
 
-// Paths of the next pass: so many that a pass takes about half a second, for progress and cancelling.
-size_t adapt(size_t paths, double pass_seconds, size_t capacity) {
+// Paths of the next pass: so many that a pass takes about half a second, for progress and cancelling, and no longer than
+// there is time.
+size_t adapt(size_t paths, double pass_seconds, double seconds_left, size_t capacity) {
   if (pass_seconds < 0.25)
     paths *= 2;
-  else if (pass_seconds > 1)
+  else if (pass_seconds > 1 || pass_seconds > seconds_left)
     paths /= 2;
   return std::clamp<size_t>(paths, std::min<size_t>(4096, capacity), capacity);
 }
@@ -80,8 +81,8 @@ void TynRenderer::run(const TynRenderBudget &budget) {
   const double seconds_before = seconds;
   const uint64_t pixels = film.pixels();
   const uint32_t first = samples;
-  const uint32_t goal = budget.samples ? uint32_t(std::min<uint64_t>(uint64_t(first) + budget.samples, UINT32_MAX))
-                                       : UINT32_MAX;
+  const uint32_t goal =
+      budget.samples ? uint32_t(std::min<uint64_t>(uint64_t(first) + budget.samples, UINT32_MAX)) : UINT32_MAX;
   const uint64_t useful = std::min<uint64_t>(pixels * (goal - first), largest_pass);
   tyn::Wavefront wavefront(scene, tables, size_t(useful));
   size_t paths = std::min<size_t>(wavefront.capacity(), 1 << 15);
@@ -127,15 +128,17 @@ void TynRenderer::run(const TynRenderBudget &budget) {
       next_pixel = 0;
       samples += pass.sample_count;
     }
-    paths = adapt(paths, seconds_since(pass_start), wavefront.capacity());
+    const double seconds_left = budget.seconds > 0 ? budget.seconds - seconds_since(start) : 1e9;
+    paths = adapt(paths, seconds_since(pass_start), seconds_left, wavefront.capacity());
 
-    const bool swept = next_pixel == 0;
-    if (swept && budget.target_error > 0 && samples >= 16 && samples == stop)
+    const bool check = budget.target_error > 0 && next_pixel == 0 && samples >= 16 && samples == stop;
+    if (check)
       error = film.error();
     report();
-    if (swept && budget.seconds > 0 && elapsed >= budget.seconds)
+    if (check && error <= budget.target_error)
       break;
-    if (swept && budget.target_error > 0 && samples >= 16 && samples == stop && error <= budget.target_error)
+    // every pixel has a sample before time counts, so that the film shows something everywhere
+    if (budget.seconds > 0 && elapsed >= budget.seconds && samples > 0)
       break;
   }
 }

@@ -35,8 +35,8 @@ private:
   const tyn::SceneTables tables;
   const TynCameraRecord camera;
   tyn::RenderLedger ledger;
-  uint32_t samples = 0;      // that every pixel has
-  uint64_t next_pixel = 0;   // pixels before it have one sample more
+  uint32_t samples = 0;    // that every pixel has
+  uint64_t next_pixel = 0; // pixels before it have one sample more
   uint64_t nonfinite_paths = 0;
   double seconds = 0;
   std::atomic<uint32_t> references{1};

@@ -79,6 +79,5 @@ extern "C" TynStatus tyn_renderer_read(TynRenderer *renderer, uint32_t layer, fl
 extern "C" TynStatus tyn_renderer_stats(TynRenderer *renderer, TynRenderStats *stats) {
   if (!renderer)
     return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&renderer->scene.context,
-                      [&] { tyn::write_struct("TynRenderStats", stats, renderer->stats()); });
+  return tyn::guarded(&renderer->scene.context, [&] { tyn::write_struct("TynRenderStats", stats, renderer->stats()); });
 }

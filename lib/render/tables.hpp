@@ -11,12 +11,12 @@ namespace tyn {
 
 struct SceneTables {
   ImageBuffers images;
-  Buffer textures;       // TynTextureRecord
-  Buffer materials;      // TynMaterialRecord
-  Buffer media;          // TynRenderMedium
-  Buffer emitters;       // TynEmitterRecord
-  Buffer lights;         // TynLightRecord
-  Buffer texels;         // TynEnvironmentTexel
+  Buffer textures;  // TynTextureRecord
+  Buffer materials; // TynMaterialRecord
+  Buffer media;     // TynRenderMedium
+  Buffer emitters;  // TynEmitterRecord
+  Buffer lights;    // TynLightRecord
+  Buffer texels;    // TynEnvironmentTexel
   uint32_t emitter_count = 0;
   float environment_probability = 0;
 };

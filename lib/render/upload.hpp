@@ -9,7 +9,8 @@
 namespace tyn {
 
 // A read-only buffer that holds `values`.
-template <class T> Buffer upload(TynContext &context, const std::vector<T> &values) {
+template <class T>
+Buffer upload(TynContext &context, const std::vector<T> &values) {
   Buffer buffer(context, values.size() * sizeof(T), CL_MEM_READ_ONLY);
   context.write(buffer, values.data(), values.size() * sizeof(T));
   return buffer;

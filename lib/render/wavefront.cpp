@@ -12,7 +12,8 @@ namespace {
 // One local size for all launches, because PoCL compiles a kernel anew for each.
 constexpr size_t local_size = 64;
 
-constexpr size_t path_bytes = sizeof(TynPathState) + sizeof(TynPathResult) + 2 * sizeof(uint32_t) + sizeof(TynShadowRay);
+constexpr size_t path_bytes =
+    sizeof(TynPathState) + sizeof(TynPathResult) + 2 * sizeof(uint32_t) + sizeof(TynShadowRay);
 constexpr size_t walk_bytes = sizeof(TynWalkEntry) + sizeof(TynWalkExit) + sizeof(TynWalkTally) + sizeof(uint32_t);
 
 size_t fitting_capacity(const TynScene &scene, size_t most) {
@@ -75,10 +76,10 @@ void Wavefront::walk(const TynRenderParameters &parameters, uint32_t count, Rend
   ledger.add(context, entries, exits, tallies, count, partial);
   const SceneBuffers &b = scene.buffers;
   const SceneTables &t = tables;
-  context.launch("render_exit", "shade_exits", count, local_size, paths, exits, entries, walk_paths, count, next,
-                 shadows, counters, b.triangles, b.positions, b.normals, b.uvs, b.meshes, b.media, t.media, t.materials,
-                 t.textures, t.images.records, t.images.bytes, t.images.floats, t.images.decode, t.emitters, t.lights,
-                 t.texels, parameters);
+  context.launch("render_exit", "shade_exits", count, local_size, b.nodes, b.blocks, paths, results, exits, entries,
+                 walk_paths, count, next, counters, b.triangles, b.positions, b.normals, b.uvs, b.meshes, b.media,
+                 t.media, t.materials, t.textures, t.images.records, t.images.bytes, t.images.floats, t.images.decode,
+                 t.emitters, t.lights, t.texels, parameters);
 }
 
 void Wavefront::trace_shadows(uint32_t count) {
@@ -96,11 +97,8 @@ uint32_t Wavefront::trace(const TynRenderParameters &parameters, const TynCamera
     Counters counts = read_counters();
     trace_shadows(counts.shadows);
     if (counts.walks > 0) {
-      const uint32_t zero = 0;
-      context.write(counters, &zero, sizeof zero, TYN_COUNT_SHADOWS * sizeof(uint32_t));
       walk(parameters, counts.walks, ledger);
       counts = read_counters();
-      trace_shadows(counts.shadows);
     }
     std::swap(queue, next);
     active = counts.next;

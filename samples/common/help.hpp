@@ -19,19 +19,20 @@ public:
   HelpFormatter() { column_width(32); }
 
   std::string make_help(const CLI::App *app, std::string, CLI::AppFormatMode mode) const override {
-    return app->get_description() + "\n" + make_groups(app, mode);
+    return app->get_description() + make_groups(app, mode);
   }
 
-  // The type names say what an option takes; defaults and ranges are in its description.
+  // The name of what an option takes, without what CLI11 adds about checks: ranges are in the descriptions.
   std::string make_option_opts(const CLI::Option *option) const override {
     const std::string type = option->get_type_name();
-    return type.empty() ? "" : " " + type;
+    return type.empty() ? "" : " " + type.substr(0, type.find(':'));
   }
 };
 
 // Parses the command line; false if it asked for --help or --version, which has been printed. Wrong usage throws.
 inline bool parse_or_answer(CLI::App &app, const char *tool_name, int argc, char **argv) {
   app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag("-h,--help", "print this");
   app.set_version_flag("--version", version_line(tool_name), "print the version");
   try {
     app.parse(argc, argv);

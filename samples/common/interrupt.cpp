@@ -16,7 +16,7 @@ void on_interrupt(int) { interrupt_flag = 1; }
 void catch_interrupt() {
   struct sigaction action = {};
   action.sa_handler = on_interrupt;
-  // RESETHAND brings back the default action for the second SIGINT; RESTART keeps library calls from failing with EINTR.
+  // RESETHAND brings back the default action for the second SIGINT; RESTART keeps calls from failing with EINTR.
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);

@@ -32,8 +32,7 @@ void on_warning(void *user, const char *message) {
 std::vector<TynMediumAssignment> assignments(const std::vector<MediumArgument> &media) {
   std::vector<TynMediumAssignment> result;
   for (const MediumArgument &argument : media)
-    result.push_back(
-        {argument.material.empty() ? nullptr : argument.material.c_str(), argument.medium.c_str()});
+    result.push_back({argument.material.empty() ? nullptr : argument.material.c_str(), argument.medium.c_str()});
   return result;
 }
 
@@ -64,8 +63,7 @@ std::vector<MediumArgument> parse_media(const std::vector<std::string> &argument
     if (split == 0)
       throw Error(kUsage, "--medium " + argument + ": no material before the '='");
     if (!is_preset(parsed.medium))
-      throw Error(kUsage, "--medium: no medium is named '" + parsed.medium + "'; there are " +
-                              preset_names());
+      throw Error(kUsage, "--medium: no medium is named '" + parsed.medium + "'; there are " + preset_names());
     result.push_back(parsed);
   }
   return result;

@@ -71,8 +71,7 @@ std::string Progress::details(const ProgressState &state) const {
 void Progress::draw_bar(const ProgressState &state) {
   const int filled = static_cast<int>(kBarWidth * std::clamp(state.fraction, 0.0, 1.0));
   const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-  std::fprintf(stderr, "\r[%s] %3.0f %%  %s\033[K", bar.c_str(), 100.0 * state.fraction,
-               details(state).c_str());
+  std::fprintf(stderr, "\r[%s] %3.0f %%  %s\033[K", bar.c_str(), 100.0 * state.fraction, details(state).c_str());
   drawn_ = true;
 }
 

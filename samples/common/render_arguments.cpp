@@ -107,12 +107,9 @@ void add_image_options(CLI::App &app, RenderArguments &arguments, RawArguments &
   app.add_option("-o,--output", arguments.exr, "OpenEXR image, all layers (required)")
       ->type_name("OUT.exr")
       ->required();
-  app.add_option("--png", arguments.png, "also write a PNG preview of the beauty")
-      ->type_name("OUT.png");
-  app.add_option("--width", arguments.width, "pixels (by the camera's shape; 640)")
-      ->type_name("N")
-      ->check(size);
-  app.add_option("--height", arguments.height, "pixels (by the camera's shape)")
+  app.add_option("--png", arguments.png, "also write a PNG preview of the beauty")->type_name("OUT.png");
+  app.add_option("--width", arguments.width, "pixels, 1 to 32768 (640, or by --height)")->type_name("N")->check(size);
+  app.add_option("--height", arguments.height, "pixels, 1 to 32768 (by the camera's shape)")
       ->type_name("N")
       ->check(size);
   app.add_option("--exposure", arguments.exposure, "brightness of the PNG (0)")->type_name("STOPS");
@@ -122,12 +119,9 @@ void add_image_options(CLI::App &app, RenderArguments &arguments, RawArguments &
 }
 
 void add_scene_options(CLI::App &app, RenderArguments &arguments, RawArguments &raw) {
-  app.add_option("--camera", arguments.camera, "camera of the file, from 0 (0; else framed)")
-      ->type_name("NAME|INDEX");
-  app.add_option("--env", raw.environment, "light from all around: constant:R,G,B or FILE.exr")
-      ->type_name("LIGHT");
-  app.add_option("--env-rotation", arguments.environment_rotation,
-                 "turn it about the vertical, counter-clockwise (0)")
+  app.add_option("--camera", arguments.camera, "camera of the file, from 0 (0; else framed)")->type_name("NAME|INDEX");
+  app.add_option("--env", raw.environment, "light from all around: constant:R,G,B or FILE.exr")->type_name("LIGHT");
+  app.add_option("--env-rotation", arguments.environment_rotation, "turn it about the vertical, counter-clockwise (0)")
       ->type_name("DEGREES");
   app.add_flag("--no-lights", arguments.no_lights, "leave out the file's punctual lights");
   app.add_option("--medium", raw.media,
@@ -139,17 +133,16 @@ void add_scene_options(CLI::App &app, RenderArguments &arguments, RawArguments &
 }
 
 void add_quality_options(CLI::App &app, RenderArguments &arguments, RawArguments &raw) {
-  app.add_option("--spp", arguments.samples, "samples a pixel (64; without limit if one follows)")
+  app.add_option("--spp", arguments.samples, "samples a pixel (64, or without limit if one of the\nnext two is given)")
       ->type_name("N")
       ->check(CLI::Range(1u, 1u << 24));
-  app.add_option("--target-error", arguments.target_error,
-                 "stop at this mean relative error: 0.01 is 1 %")
+  app.add_option("--target-error", arguments.target_error, "stop at this mean relative error: 0.01 is 1 %")
       ->type_name("FRACTION");
-  app.add_option("--time-limit", arguments.time_limit, "stop rendering after this time")
-      ->type_name("SECONDS");
+  app.add_option("--time-limit", arguments.time_limit, "stop rendering after this time")->type_name("SECONDS");
   app.add_option("--seed", arguments.seed, "same seed, same bits on the same device (0)")
-      ->type_name("N");
-  app.add_option("--max-bounces", raw.max_bounces, "surface interactions of a path (64)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--max-bounces", raw.max_bounces, "surface interactions of a path, from 1 (64)")
       ->type_name("N")
       ->check(CLI::Range(1u, 1u << 20));
   app.add_option("--exit", raw.exit,
@@ -160,8 +153,7 @@ void add_quality_options(CLI::App &app, RenderArguments &arguments, RawArguments
 }
 
 void add_general_options(CLI::App &app, RenderArguments &arguments) {
-  app.add_option("--device", arguments.device,
-                 "OpenCL device (TYNDALL_DEVICE, else 0; tyndall-info --devices)")
+  app.add_option("--device", arguments.device, "OpenCL device (TYNDALL_DEVICE, else 0; tyndall-info --devices)")
       ->type_name("INDEX|NAME");
   app.add_flag("--json", arguments.json, "one JSON object on standard output, and nothing else");
   CLI::Option *quiet = app.add_flag("-q,--quiet", arguments.quiet, "errors only");
@@ -186,8 +178,7 @@ void finish_arguments(const RawArguments &raw, RenderArguments &arguments) {
 
 } // namespace
 
-bool parse_render_arguments(const char *tool_name, int argc, char **argv,
-                            RenderArguments &arguments) {
+bool parse_render_arguments(const char *tool_name, int argc, char **argv, RenderArguments &arguments) {
   CLI::App app(kAbout);
   RawArguments raw;
   app.add_option("SCENE", arguments.scene, "glTF 2.0 model, .gltf or .glb")->required();

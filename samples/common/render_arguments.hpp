@@ -45,7 +45,6 @@ struct RenderArguments {
 };
 
 // Fills `arguments`; false if --help or --version was all that was asked for, and has been printed.
-bool parse_render_arguments(const char *tool_name, int argc, char **argv,
-                            RenderArguments &arguments);
+bool parse_render_arguments(const char *tool_name, int argc, char **argv, RenderArguments &arguments);
 
 } // namespace tool

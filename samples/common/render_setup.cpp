@@ -43,8 +43,8 @@ uint32_t find_camera(const TynScene *scene, const std::string &wanted) {
   const std::from_chars_result parsed = std::from_chars(wanted.data(), end, index);
   if (parsed.ec == std::errc() && parsed.ptr == end && index < count)
     return index;
-  throw Error(kUsage, "--camera " + wanted + ": the file has " +
-                          (count ? "cameras " + names : std::string("no camera")));
+  throw Error(kUsage,
+              "--camera " + wanted + ": the file has " + (count ? "cameras " + names : std::string("no camera")));
 }
 
 uint32_t scaled(uint32_t size, double factor) {
@@ -68,8 +68,7 @@ void set_environment(TynScene *scene, const RenderArguments &arguments) {
   std::copy_n(arguments.environment.radiance, 3, environment.radiance);
   environment.rotation = static_cast<float>(arguments.environment_rotation) * (kPi / 180.0f);
   if (!arguments.environment.file.empty()) {
-    const TynStatus status =
-        tyn_exr_load(scene, arguments.environment.file.c_str(), &environment.image);
+    const TynStatus status = tyn_exr_load(scene, arguments.environment.file.c_str(), &environment.image);
     const bool bad_file = status == TYN_ERROR_FILE || status == TYN_ERROR_FORMAT;
     check(status, context, bad_file ? kBadInput : kFailed);
   }
@@ -85,8 +84,7 @@ void add_default_light(TynScene *scene, const TynCamera &camera) {
   const float towards[3] = {0.5f, -0.6f, -0.6244998f}; // unit, in the camera's frame
   const float *m = camera.world_from_camera;
   for (int row = 0; row < 3; ++row)
-    key.direction[row] =
-        m[4 * row] * towards[0] + m[4 * row + 1] * towards[1] + m[4 * row + 2] * towards[2];
+    key.direction[row] = m[4 * row] * towards[0] + m[4 * row + 1] * towards[1] + m[4 * row + 2] * towards[2];
   key.intensity[0] = 2.2f;
   key.intensity[1] = 2.1f;
   key.intensity[2] = 2.0f;
@@ -105,8 +103,7 @@ View choose_view(const TynScene *scene, const RenderArguments &arguments) {
   View view = {tyn_camera(), "", 0, 0};
   const bool has_camera = scene_info(scene).camera_count > 0;
   if (has_camera || !arguments.camera.empty()) {
-    view.camera =
-        scene_camera(scene, arguments.camera.empty() ? 0 : find_camera(scene, arguments.camera));
+    view.camera = scene_camera(scene, arguments.camera.empty() ? 0 : find_camera(scene, arguments.camera));
     view.name = camera_name(view.camera);
     const double aspect = view.camera.aspect_ratio;
     choose_size(arguments, aspect > 0.0 ? aspect : kDefaultAspect, view);

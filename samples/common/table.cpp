@@ -39,8 +39,7 @@ void Table::print(int indent) const {
     std::string line(indent, ' ');
     for (size_t column = 0; column < row.size(); ++column) {
       const std::string padding(widths[column] - display_width(row[column]), ' ');
-      line +=
-          (column ? "  " : "") + (to_right[column] ? padding + row[column] : row[column] + padding);
+      line += (column ? "  " : "") + (to_right[column] ? padding + row[column] : row[column] + padding);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     std::printf("%s\n", line.c_str());

@@ -80,8 +80,8 @@ Context create_context(const std::string &device) {
 
 std::string version_line(const char *name) {
   const uint32_t version = tyn_version();
-  return std::string(name) + " " + std::to_string(version / 10000) + "." +
-         std::to_string(version / 100 % 100) + "." + std::to_string(version % 100);
+  return std::string(name) + " " + std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
+         std::to_string(version % 100);
 }
 
 } // namespace tool

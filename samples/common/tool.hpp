@@ -35,8 +35,8 @@ private:
 // wrong argument ends in an abort.
 int run(const char *name, int argc, char **argv, int (*body)(int, char **));
 
-// Throws the context's message unless `status` is TYN_OK. A missing device and a failed kernel build have their own exit
-// status, whatever the caller was doing; `code` is for everything else.
+// Throws the context's message unless `status` is TYN_OK. A missing device and a failed kernel build have their own
+// exit status, whatever the caller was doing; `code` is for everything else.
 void check(TynStatus status, const TynContext *context, ExitCode code = kFailed);
 
 // `text` fit for a terminal: names come from files, and control characters in them must not reach it.

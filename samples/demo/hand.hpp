@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A right hand with its forearm, in centimetres: the wrist at the origin, fingers up (+Y), the back of the hand towards +Z,
-// the thumb towards -X.
+// A right hand with its forearm, in centimetres: the wrist at the origin, fingers up (+Y), the back of the hand towards
+// +Z, the thumb towards -X.
 #pragma once
 
 #include "demo/sdf.hpp"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A closed, smooth triangle mesh of a signed distance function: dual marching cubes (Nielson 2004) on a grid of which only
-// the blocks near the surface are looked at. Every sheet of the surface that passes through a cell has a vertex of its own
-// there, so that sheets that come close stay apart.
+// A closed, smooth triangle mesh of a signed distance function: dual marching cubes (Nielson 2004) on a grid of which
+// only the blocks near the surface are looked at. Every sheet of the surface that passes through a cell has a vertex of
+// its own there, so that sheets that come close stay apart.
 #pragma once
 
 #include "demo/mesh.hpp"
@@ -88,7 +88,7 @@ private:
               field_(corner(block.first[0] + i, block.first[1] + j, block.first[2] + k));
   }
 
-  // Edge `side` (two bits: where it lies on the two other axes) along `axis` of a cell, and its two corners (three bits).
+  // Edge `side` (two bits: where it lies on the other two axes) along `axis` of a cell, and its corners (three bits).
   static int edge_index(int axis, int side) { return 4 * axis + side; }
   static int edge_corner(int edge, int end) {
     const int axis = edge / 4, side = edge % 4;
@@ -156,7 +156,7 @@ private:
 
   static void connect_face(int axis, int face, int inside, std::array<int, 12> &root) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    // The face's edges: along u at v = 0, 1, then along v at u = 0, 1. For axis u the other axes are v, axis; for v axis, u.
+    // Along u at v = 0, 1, then along v at u = 0, 1. The other two axes of u are v and axis, those of v axis and u.
     const int edges[4] = {edge_index(u, 0 | face << 1), edge_index(u, 1 | face << 1), edge_index(v, face | 0 << 1),
                           edge_index(v, face | 1 << 1)};
     int crossed[4], count = 0;

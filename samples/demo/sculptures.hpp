@@ -12,8 +12,8 @@ namespace demo {
 class Candle {
 public:
   static constexpr float kRadius = 2.15f;
-  static constexpr float kHeight = 7.9f;
-  static constexpr float kHollow = 7.2f; // the lowest point of the hollow
+  static constexpr float kHeight = 7.3f;
+  static constexpr float kHollow = 6.6f; // the lowest point of the hollow
 
   Vec lower() const { return {-4.6f, -0.4f, -4.6f}; }
   Vec upper() const { return {4.6f, 10.2f, 4.6f}; }

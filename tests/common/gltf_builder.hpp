@@ -46,7 +46,8 @@ public:
   nlohmann::json &material_extension(const char *name) { return json["materials"][0]["extensions"][name]; }
 
   // Each returns the index of what it adds.
-  template <class T> int view(const std::vector<T> &values, int stride = 0) {
+  template <class T>
+  int view(const std::vector<T> &values, int stride = 0) {
     return view_of_bytes(std::string(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(T)), stride);
   }
   int view_of_bytes(const std::string &bytes, int stride = 0);

@@ -115,8 +115,12 @@ std::vector<Case> media() {
         for (const uint32_t exit : {TYN_EXIT_DIFFUSE, TYN_EXIT_DIELECTRIC}) {
           const NamedMesh &mesh = meshes[turn++ % meshes.size()];
           Case c;
-          c.name = mesh.name + (g < 0 ? "Backward" : g > 0 ? "Forward" : "Isotropic") + boundary.name +
-                   (dense ? "Dense" : "Thin") + (exit == TYN_EXIT_DIFFUSE ? "DiffuseExit" : "DielectricExit");
+          c.name = mesh.name +
+                   (g < 0   ? "Backward"
+                    : g > 0 ? "Forward"
+                            : "Isotropic") +
+                   boundary.name + (dense ? "Dense" : "Thin") +
+                   (exit == TYN_EXIT_DIFFUSE ? "DiffuseExit" : "DielectricExit");
           c.mesh = mesh.mesh;
           c.material = interior(boundary.ior, boundary.roughness);
           c.medium = white_medium(dense ? 30.0f : 0.1f, g, boundary.ior);

@@ -56,7 +56,8 @@ TEST(BeerLambert, ThroughTheChordsOfASphereTransmitsTheClosedForm) {
   SceneHandle scene = make_scene(shared_context(), mesh, rgb_medium(sigma_a, {0, 0, 0}));
   Mean transmitted[3];
   for (uint32_t batch = 0; batch < 20; ++batch)
-    add_escaped(walk(scene.get(), surface_entries(mesh, 200000, batch), without_roulette(batch * 200000u)), transmitted);
+    add_escaped(walk(scene.get(), surface_entries(mesh, 200000, batch), without_roulette(batch * 200000u)),
+                transmitted);
   for (int c = 0; c < 3; ++c) {
     double x = 2.0 * sigma_a[c];
     expect_transmitted(transmitted[c], 2 * (1 - (1 + x) * std::exp(-x)) / (x * x));

@@ -117,9 +117,8 @@ TEST_P(Ggx, SamplesFollowTheVisibleNormals) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ForAllRoughnesses, Ggx, testing::Values(0.01f, 0.1f, 0.4f, 1.0f),
-                         [](const auto &parameter) {
-                           return "Alpha" + std::to_string(int(std::lround(parameter.param * 1000))) + "Thousandths";
-                         });
+INSTANTIATE_TEST_SUITE_P(ForAllRoughnesses, Ggx, testing::Values(0.01f, 0.1f, 0.4f, 1.0f), [](const auto &parameter) {
+  return "Alpha" + std::to_string(int(std::lround(parameter.param * 1000))) + "Thousandths";
+});
 
 } // namespace

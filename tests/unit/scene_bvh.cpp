@@ -33,7 +33,8 @@ std::vector<tyn::Mesh> to_meshes(const std::vector<NamedMesh> &list) {
   return meshes;
 }
 
-template <class T> bool same_bytes(const std::vector<T> &a, const std::vector<T> &b) {
+template <class T>
+bool same_bytes(const std::vector<T> &a, const std::vector<T> &b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 

@@ -35,7 +35,8 @@ std::vector<TynRay> random_rays(size_t count) {
   std::normal_distribution<float> normal;
   std::vector<TynRay> rays;
   for (size_t i = 0; i < count; i++)
-    rays.push_back(ray_to(normal(random), normal(random), normal(random), normal(random), normal(random), normal(random)));
+    rays.push_back(
+        ray_to(normal(random), normal(random), normal(random), normal(random), normal(random), normal(random)));
   return rays;
 }
 
@@ -236,8 +237,8 @@ TEST(IntersectOnBuffers, GivesTheSameBitsAsOnHostPointers) {
   cl_context cl = nullptr;
   cl_command_queue queue = nullptr;
   ASSERT_EQ(tyn_context_cl(context, &cl, &queue, nullptr), TYN_OK);
-  cl_mem ray_buffer = clCreateBuffer(cl, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, rays.size() * sizeof(TynRay),
-                                     rays.data(), nullptr);
+  cl_mem ray_buffer =
+      clCreateBuffer(cl, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, rays.size() * sizeof(TynRay), rays.data(), nullptr);
   cl_mem hit_buffer = clCreateBuffer(cl, CL_MEM_READ_WRITE, hits.size() * sizeof(TynHit), nullptr, nullptr);
   cl_mem any_buffer = clCreateBuffer(cl, CL_MEM_READ_WRITE, any.size() * sizeof(uint32_t), nullptr, nullptr);
   EXPECT_EQ(tyn_intersect_cl(scene, 0, ray_buffer, rays.size(), hit_buffer), TYN_OK) << scene.message();

@@ -208,7 +208,8 @@ TEST(SceneCommit, FillsTheRecordsOfMeshesAndTriangles) {
   scene.commit();
 
   ASSERT_EQ(scene->mesh_records.size(), 3u);
-  const TynMeshRecord &sphere = scene->mesh_records[0], &box_record = scene->mesh_records[1], &flat = scene->mesh_records[2];
+  const TynMeshRecord &sphere = scene->mesh_records[0], &box_record = scene->mesh_records[1],
+                      &flat = scene->mesh_records[2];
   EXPECT_EQ(sphere.flags, TYN_MESH_HAS_NORMALS | TYN_MESH_CLOSED);
   EXPECT_EQ(box_record.flags, TYN_MESH_CLOSED);
   EXPECT_EQ(flat.flags, TYN_MESH_HAS_UVS);

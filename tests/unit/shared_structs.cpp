@@ -22,8 +22,10 @@ namespace {
 // "Record" and its size, or "Record.field" and its offset.
 using Layout = std::map<std::string, size_t>;
 
-#define RECORD(type) {#type, sizeof(type)}
-#define FIELD(type, field) {#type "." #field, offsetof(type, field)}
+#define RECORD(type)                                                                                                   \
+  { #type, sizeof(type) }
+#define FIELD(type, field)                                                                                             \
+  { #type "." #field, offsetof(type, field) }
 
 const Layout &host_layout() {
   static const Layout layout = {
@@ -73,7 +75,7 @@ const Layout &host_layout() {
       FIELD(TynWalkParameters, count), FIELD(TynWalkParameters, max_scatterings),
       FIELD(TynWalkParameters, roulette_threshold), FIELD(TynWalkParameters, mesh_count),
       FIELD(TynWalkParameters, medium_count), FIELD(TynWalkParameters, triangle_count),
-      FIELD(TynWalkParameters, slice), FIELD(TynWalkParameters, reserved),
+      FIELD(TynWalkParameters, slice), FIELD(TynWalkParameters, callers_winding),
 
       RECORD(TynWalkTally),
       FIELD(TynWalkTally, reflected), FIELD(TynWalkTally, absorbed), FIELD(TynWalkTally, balance),
@@ -228,7 +230,8 @@ TEST(SharedStructs, HaveTheSameLayoutOnHostAndDevice) {
   for (size_t i = 0; i < tyn::kernel_source_count; ++i)
     for (const auto &[name, value] : device_layout(*context, tyn::kernel_sources[i])) {
       auto host = host_layout().find(name);
-      ASSERT_NE(host, host_layout().end()) << name << " of " << tyn::kernel_sources[i].name << " is missing in this test";
+      ASSERT_NE(host, host_layout().end())
+          << name << " of " << tyn::kernel_sources[i].name << " is missing in this test";
       EXPECT_EQ(host->second, value) << name << " in " << tyn::kernel_sources[i].name;
       seen[name] = value;
     }

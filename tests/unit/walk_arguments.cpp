@@ -134,8 +134,8 @@ TEST_F(WalkArguments, BadIndicesInBuffersEndAsLost) {
   entries[1].medium = 9;
   entries[2].triangle = 12;
   entries[3].triangle = TYN_NONE;
-  cl_mem in = clCreateBuffer(cl, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, 5 * sizeof(TynWalkEntry), entries.data(),
-                             nullptr);
+  cl_mem in =
+      clCreateBuffer(cl, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, 5 * sizeof(TynWalkEntry), entries.data(), nullptr);
   cl_mem out = clCreateBuffer(cl, CL_MEM_READ_WRITE, 5 * sizeof(TynWalkExit), nullptr, nullptr);
   TynLedger ledger;
   ASSERT_EQ(tyn_walk_cl(scene.get(), nullptr, in, 5, out, &ledger), TYN_OK) << message();

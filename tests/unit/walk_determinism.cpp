@@ -152,9 +152,9 @@ TEST(WalkDeterminism, BuffersGiveTheSameBitsAsPointers) {
     ASSERT_EQ(tyn_walk_cl(f.scene.get(), nullptr, entries, count, exits, with_ledger ? &ledger : nullptr), TYN_OK)
         << tyn_context_message(shared_context());
     std::vector<TynWalkExit> result(count);
-    ASSERT_EQ(clEnqueueReadBuffer(queue, exits, CL_TRUE, 0, count * sizeof(TynWalkExit), result.data(), 0, nullptr,
-                                  nullptr),
-              CL_SUCCESS);
+    ASSERT_EQ(
+        clEnqueueReadBuffer(queue, exits, CL_TRUE, 0, count * sizeof(TynWalkExit), result.data(), 0, nullptr, nullptr),
+        CL_SUCCESS);
     expect_same_bits(expected.exits, result);
     if (with_ledger) {
       EXPECT_EQ(std::memcmp(&expected.ledger, &ledger, sizeof ledger), 0);

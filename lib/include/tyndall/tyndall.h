@@ -21,6 +21,7 @@
  * Ownership
  *   Handles are reference-counted: *_create returns one reference, *_retain adds one, *_release takes one away (NULL is
  *   allowed). A scene keeps its context alive, a renderer its scene. Arrays passed in are copied before a call returns.
+ *   Release contexts before main returns: OpenCL implementations tear themselves down among the static destructors.
  * Threads
  *   Different contexts may be used at the same time. One context, with the scenes and renderers made from it, is used from
  *   one thread at a time. A committed scene is never written to. Progress callbacks arrive on the calling thread.
