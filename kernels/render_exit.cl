@@ -40,7 +40,7 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
   global const TynWalkExit *walked = exits + i;
   if (walked->status != TYN_WALK_ESCAPED)
     return; // the ledger has the rest
-  const Geometry geometry = {triangles, positions, normals, uvs, meshes};
+  const SceneGeometry geometry = {triangles, positions, normals, uvs, meshes};
   const Images images = {image_records, image_bytes, image_floats, decode};
   const Lights lights = {emitters, light_records, texels};
   const Queues queues = {next, 0, counters};

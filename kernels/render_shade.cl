@@ -13,7 +13,7 @@
 
 // What the shading kernel reads of the scene.
 typedef struct {
-  Geometry geometry;
+  SceneGeometry geometry;
   Images images;
   Lights lights;
   global const TynMediumRecord *media;

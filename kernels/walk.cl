@@ -141,10 +141,12 @@ static void walk_write(WalkBuffers buffers, Walks *walks, int lane, uint callers
 static int walk_refract_in(Walks *walks, int lane, float3 ng, uint2 key) {
   float3 direction = walk_vector(walks->direction, lane);
   float eta = walks->ior[lane];
-  if (eta == 1.0f) return tyn_dot(direction, ng) < 0.0f;
+  if (eta == 1.0f)
+    return tyn_dot(direction, ng) < 0.0f;
   TynFrame frame = tyn_frame(ng);
   float3 d = tyn_to_local(frame, direction);
-  if (d.z >= 0.0f) return 0;
+  if (d.z >= 0.0f)
+    return 0;
   if (walks->alpha[lane] < TYN_SMOOTH_ALPHA) {
     float fresnel = tyn_fresnel(-d.z, eta);
     walks->reflected[lane] = fresnel;
@@ -192,7 +194,8 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   walk_set_vector(walks->balance, lane, tyn_vec3(0.0f, 0.0f, 0.0f));
 
   uint mesh = entry->mesh;
-  uint medium_index = mesh < parameters.mesh_count && entry->medium == TYN_NONE ? buffers.geometry.meshes[mesh].medium : entry->medium;
+  uint medium_index =
+      mesh < parameters.mesh_count && entry->medium == TYN_NONE ? buffers.geometry.meshes[mesh].medium : entry->medium;
   uint local_triangle = entry->triangle;
   if (mesh >= parameters.mesh_count || medium_index >= parameters.medium_count ||
       (local_triangle == TYN_NONE ? entry->kind != TYN_ENTRY_INSIDE
@@ -208,7 +211,8 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
                   entry->sigma_t[0] >= 0.0f ? tyn_load3_global(entry->sigma_t) : tyn_load3_global(medium->sigma_t));
   walk_set_vector(walks->albedo, lane,
                   entry->albedo[0] >= 0.0f ? tyn_load3_global(entry->albedo) : tyn_load3_global(medium->albedo));
-  if (local_triangle == TYN_NONE) return;
+  if (local_triangle == TYN_NONE)
+    return;
 
   uint triangle = buffers.geometry.meshes[mesh].first_triangle + local_triangle;
   float3 ng = surface_geometric_normal(buffers.geometry, buffers.geometry.triangles[triangle]);
@@ -228,8 +232,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
 static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key, uint random) {
   uint triangle = walks->triangle[lane];
   TynTriangleRecord record = buffers.geometry.triangles[triangle];
-  walk_set_vector(walks->position, lane,
-                  surface_position(buffers.geometry, record, walks->u[lane], walks->v[lane]));
+  walk_set_vector(walks->position, lane, surface_position(buffers.geometry, record, walks->u[lane], walks->v[lane]));
   float ior = walks->ior[lane];
   if (ior == 1.0f) {
     walks->status.lane[lane] = TYN_WALK_ESCAPED;
@@ -257,7 +260,8 @@ static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key
   walk_move_inside(buffers, walks, lane, ng);
   float sigma = walks->sigma_t[0].lane[lane] + walks->sigma_t[1].lane[lane] + walks->sigma_t[2].lane[lane];
   uint limit = sigma > 0.0f ? WALK_TRAPPED : WALK_TRAPPED_CLEAR;
-  if (++walks->reflections[lane] > limit) walks->status.lane[lane] = TYN_WALK_CAPPED;
+  if (++walks->reflections[lane] > limit)
+    walks->status.lane[lane] = TYN_WALK_CAPPED;
 }
 
 // Distance along a ray from inside the bounds of a mesh to where it leaves them.
@@ -293,7 +297,8 @@ static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, La
     }
     // never farther than where it leaves the bounds of the mesh, through which it can only get by a hole
     float leaves = walk_distance_to_bounds(mesh, origin, direction);
-    if (flight->lane[lane] <= leaves) continue;
+    if (flight->lane[lane] <= leaves)
+      continue;
     flight->lane[lane] = leaves;
     at_surface->lane[lane] = -1;
     walks->triangle[lane] = TYN_NONE;
@@ -306,7 +311,8 @@ static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, La
 static LaneFloat walk_sample_flight(const Walks *walks, const LaneUint random[4]) {
   LaneFloat sum = walks->weight[0].all + walks->weight[1].all + walks->weight[2].all;
   LaneFloat pick = lane_uniform(random[0]) * sum;
-  LaneInt second = lane_lt(pick, walks->weight[0].all + walks->weight[1].all) | lane_le(walks->weight[2].all, (LaneFloat)(0.0f));
+  LaneInt second =
+      lane_lt(pick, walks->weight[0].all + walks->weight[1].all) | lane_le(walks->weight[2].all, (LaneFloat)(0.0f));
   LaneFloat sigma = lane_choose(second, walks->sigma_t[1].all, walks->sigma_t[2].all);
   sigma = lane_choose(lane_lt(pick, walks->weight[0].all), walks->sigma_t[0].all, sigma);
   LaneFloat flight = -lane_log(lane_uniform_fine(random[1])) / sigma;
@@ -318,7 +324,8 @@ static void walk_weight_flight(Walks *walks, LaneFloat t, LaneInt at_surface) {
   LaneFloat least = fmin(walks->sigma_t[0].all, fmin(walks->sigma_t[1].all, walks->sigma_t[2].all));
   LaneFloat most = fmax(walks->sigma_t[0].all, fmax(walks->sigma_t[1].all, walks->sigma_t[2].all));
   LaneInt coloured = lane_lt(least, most) & walks->active.all;
-  if (!lane_any(coloured)) return; // all factors are 1
+  if (!lane_any(coloured))
+    return; // all factors are 1
   LaneFloat f[3], sum = (LaneFloat)(0.0f), mean = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     // relative to the channel with the least extinction, which cancels
@@ -378,7 +385,8 @@ static LaneInt walk_roulette(Walks *walks, LaneInt mask, float threshold, const 
   LaneFloat largest = fmax(walks->weight[0].all, fmax(walks->weight[1].all, walks->weight[2].all));
   LaneInt dead = mask & lane_le(largest, (LaneFloat)(0.0f));
   LaneInt plays = mask & lane_lt(largest, (LaneFloat)(threshold)) & ~dead;
-  if (!lane_any(plays)) return dead;
+  if (!lane_any(plays))
+    return dead;
   // the low byte of each word has not been used by the numbers above
   LaneUint bits = (random[0] & 255u) << 24 | (random[1] & 255u) << 16 | (random[2] & 255u) << 8 | (random[3] & 255u);
   LaneInt survives = lane_lt(lane_uniform(bits) * threshold, largest);
@@ -416,7 +424,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   uint begin = (uint)get_global_id(0) * parameters.slice;
   uint next = begin;
   uint end = min(begin + parameters.slice, parameters.count);
-  if (begin >= parameters.count) return;
+  if (begin >= parameters.count)
+    return;
 
   Walks walks;
   walks.active.all = (LaneInt)(0);
@@ -433,12 +442,15 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   for (;;) {
     for (int lane = 0; lane < TYN_LANES; ++lane) {
       for (;;) { // more than once if a walk ends as it begins
-        if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING) walk_write(buffers, &walks, lane, parameters.callers_winding);
-        if (walks.active.lane[lane] || next == end) break;
+        if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING)
+          walk_write(buffers, &walks, lane, parameters.callers_winding);
+        if (walks.active.lane[lane] || next == end)
+          break;
         walk_begin(buffers, parameters, &walks, lane, next++);
       }
     }
-    if (!lane_any(walks.active.all)) break;
+    if (!lane_any(walks.active.all))
+      break;
 
     LaneUint random[4] = {walks.path[0].all, walks.path[1].all, walks.draw.all, (LaneUint)(TYN_DOMAIN_WALK)};
     lane_philox(random, key.x, key.y);
@@ -459,13 +471,17 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
       LaneInts capped;
       capped.all = (LaneInt)(0);
       if (parameters.max_scatterings)
-        capped.all = scatters & ~dead.all & lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks.scatterings.all)) & 1u));
+        capped.all =
+            scatters & ~dead.all &
+            lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks.scatterings.all)) & 1u));
       LaneInts scattered;
       scattered.all = scatters;
       for (int lane = 0; lane < TYN_LANES; ++lane) {
-        if (!scattered.lane[lane]) continue;
+        if (!scattered.lane[lane])
+          continue;
         walks.reflections[lane] = 0u;
-        if (!dead.lane[lane] && !capped.lane[lane]) continue;
+        if (!dead.lane[lane] && !capped.lane[lane])
+          continue;
         walks.triangle[lane] = TYN_NONE;
         walks.status.lane[lane] = dead.lane[lane] ? TYN_WALK_ABSORBED : TYN_WALK_CAPPED;
       }

@@ -146,8 +146,7 @@ void add_candle(Scene &scene) {
   scene.add("flame", placed(lathe(flame, 24), place), glowing("flame", kFlameColour, 5));
 }
 
-// What the flame sends out, from a point above it: no surface is so near that its reflected light
-// is noise.
+// What the flame sends out, from a point above it: so near to no surface that what that reflects would be noise.
 void add_candlelight(Scene &scene) {
   const Vec above = kCandle + Vec{-0.3f, Candle::kHollow + 1.7f + kFlameHeight + 0.7f, -0.6f};
   scene.file().add_light("candlelight", in_metres(looking(above, {0, 0, -1})),
@@ -232,7 +231,7 @@ void add_camera(Scene &scene) {
 int body(int argc, char **argv) {
   const std::string argument = argc > 1 ? argv[1] : "";
   if (argc == 2 && (argument == "--help" || argument == "-h")) {
-    std::printf("Makes the demo scene: a hand, wax, marble, jade and milk by candlelight.\n\n"
+    std::printf("Makes the demo scene: a hand, wax, marble, jade and milk by candle and moon.\n\n"
                 "  tyndall-demo-scene OUT.glb\n\n"
                 "Example:\n"
                 "  tyndall-demo-scene demo.glb && tyndall-render demo.glb -o demo.exr --png demo.png\n");

@@ -11,7 +11,8 @@ namespace {
 // Entries a work-item walks one after the other. On a CPU enough that its lanes stay full (a lane that ends takes the next
 // entry) and few enough that the cores end together; on a GPU one, since its hardware keeps itself full.
 uint32_t slice_length(const TynContext &context, uint32_t count) {
-  if (context.is_gpu()) return 1;
+  if (context.is_gpu())
+    return 1;
   uint32_t items = std::max(1u, context.device_info.compute_units) * 32;
   uint32_t longest = std::max(1u, count / items);
   return std::clamp(longest, context.lanes() * 4, context.lanes() * 64);
@@ -34,7 +35,8 @@ TynWalkParameters walk_parameters(const TynScene &scene, const TynWalkOptions &o
 }
 
 void enqueue_walk(TynScene &scene, TynWalkParameters parameters, cl_mem entries, cl_mem exits, cl_mem tallies) {
-  if (parameters.count == 0) return;
+  if (parameters.count == 0)
+    return;
   TynContext &context = scene.context;
   const SceneBuffers &b = scene.buffers;
   parameters.slice = slice_length(context, parameters.count);

@@ -17,8 +17,8 @@ constexpr size_t largest_batch = 1 << 17;
 constexpr size_t bytes_per_walk = sizeof(TynWalkEntry) + sizeof(TynWalkExit) + sizeof(TynWalkTally);
 
 size_t batch_size(const TynContext &context, size_t count) {
-  uint64_t fits = std::min<uint64_t>(context.memory_available() / bytes_per_walk,
-                                     context.largest_buffer() / sizeof(TynWalkEntry));
+  uint64_t fits =
+      std::min<uint64_t>(context.memory_available() / bytes_per_walk, context.largest_buffer() / sizeof(TynWalkEntry));
   if (fits == 0)
     fail(TYN_ERROR_OUT_OF_MEMORY, "%llu bytes of device memory are left; one walk needs %zu",
          static_cast<unsigned long long>(context.memory_available()), bytes_per_walk);
@@ -52,7 +52,8 @@ void walk_on_host(TynScene &scene, const TynWalkOptions &options, const TynWalkE
     context.read(tally_buffer, tallies.data(), n * sizeof(TynWalkTally));
     add_to_ledger(ledger, entries + begin, exits + begin, tallies.data(), n);
   }
-  if (options.progress) options.progress(options.user, 1.0);
+  if (options.progress)
+    options.progress(options.user, 1.0);
 }
 
 void require_buffer(const char *name, cl_mem buffer, size_t bytes) {
@@ -60,12 +61,14 @@ void require_buffer(const char *name, cl_mem buffer, size_t bytes) {
   size_t size = 0;
   if (clGetMemObjectInfo(buffer, CL_MEM_SIZE, sizeof size, &size, nullptr) != CL_SUCCESS)
     fail(TYN_ERROR_INVALID_ARGUMENT, "%s is not a valid cl_mem", name);
-  if (size < bytes) fail(TYN_ERROR_INVALID_ARGUMENT, "%s holds %zu bytes; %zu are needed", name, size, bytes);
+  if (size < bytes)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "%s holds %zu bytes; %zu are needed", name, size, bytes);
 }
 
 void walk_on_device(TynScene &scene, const TynWalkOptions &options, cl_mem entries, size_t count, cl_mem exits,
                     TynLedger *ledger) {
-  if (count > UINT32_MAX) fail(TYN_ERROR_INVALID_ARGUMENT, "count is %zu; it must be at most %u", count, UINT32_MAX);
+  if (count > UINT32_MAX)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "count is %zu; it must be at most %u", count, UINT32_MAX);
   require_buffer("entries", entries, count * sizeof(TynWalkEntry));
   require_buffer("exits", exits, count * sizeof(TynWalkExit));
   TynContext &context = scene.context;
@@ -76,7 +79,8 @@ void walk_on_device(TynScene &scene, const TynWalkOptions &options, cl_mem entri
   Buffer tallies(context, count * sizeof(TynWalkTally));
   enqueue_walk(scene, parameters, entries, exits, tallies.get());
   context.flush();
-  if (!ledger) return;
+  if (!ledger)
+    return;
   std::vector<TynWalkEntry> host_entries(count);
   std::vector<TynWalkExit> host_exits(count);
   std::vector<TynWalkTally> host_tallies(count);
@@ -92,7 +96,8 @@ void walk_on_device(TynScene &scene, const TynWalkOptions &options, cl_mem entri
 
 TynStatus tyn_walk(TynScene *scene, const TynWalkOptions *options, const TynWalkEntry *entries, size_t count,
                    TynWalkExit *exits, TynLedger *ledger) {
-  if (!scene) return TYN_ERROR_INVALID_ARGUMENT;
+  if (!scene)
+    return TYN_ERROR_INVALID_ARGUMENT;
   return tyn::guarded(&scene->context, [&] {
     scene->require_committed();
     TynWalkOptions checked = tyn::checked_options(options);
@@ -104,17 +109,21 @@ TynStatus tyn_walk(TynScene *scene, const TynWalkOptions *options, const TynWalk
     TynLedger sums{};
     TynLedger &target = ledger ? *ledger : sums;
     target = sums;
-    if (count > 0) tyn::walk_on_host(*scene, checked, entries, count, exits, target);
+    if (count > 0)
+      tyn::walk_on_host(*scene, checked, entries, count, exits, target);
   });
 }
 
 TynStatus tyn_walk_cl(TynScene *scene, const TynWalkOptions *options, cl_mem entries, size_t count, cl_mem exits,
                       TynLedger *ledger) {
-  if (!scene) return TYN_ERROR_INVALID_ARGUMENT;
+  if (!scene)
+    return TYN_ERROR_INVALID_ARGUMENT;
   return tyn::guarded(&scene->context, [&] {
     scene->require_committed();
     TynWalkOptions checked = tyn::checked_options(options);
-    if (ledger) *ledger = TynLedger{};
-    if (count > 0) tyn::walk_on_device(*scene, checked, entries, count, exits, ledger);
+    if (ledger)
+      *ledger = TynLedger{};
+    if (count > 0)
+      tyn::walk_on_device(*scene, checked, entries, count, exits, ledger);
   });
 }

@@ -22,7 +22,7 @@ TynWalkOptions checked_options(const TynWalkOptions *options);
 void validate_entries(const TynScene &scene, const TynWalkEntry *entries, size_t count);
 
 // Adds `count` walks to a ledger, in their order and in double precision, so that it depends on nothing but the walks.
-void add_to_ledger(TynLedger &ledger, const TynWalkEntry *entries, const TynWalkExit *exits, const TynWalkTally *tallies,
-                   size_t count);
+void add_to_ledger(TynLedger &ledger, const TynWalkEntry *entries, const TynWalkExit *exits,
+                   const TynWalkTally *tallies, size_t count);
 
 } // namespace tyn

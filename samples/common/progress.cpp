@@ -10,7 +10,7 @@
 namespace tool {
 namespace {
 
-constexpr int kBarWidth = 32;
+constexpr int kBarWidth = 24; // with the text behind it, less than 80 columns
 
 std::string format_duration(double seconds) {
   char text[32];

@@ -82,9 +82,7 @@ private:
     const float reach = length(q) / (1.15f * r);
     if (out < 0 || reach > 1)
       return d;
-    const float along = std::sqrt(std::max(dot(q, q) - out * out, 0.0f));
     const float fade = (1 - reach * reach) * out / r;
-    (void)along;
     return d + 0.035f * fade * std::cos(9.0f * q.y / r);
   }
 

@@ -127,10 +127,8 @@ private:
     const Frame frame = {side, along, cross(side, along), mix(root, tip, 0.52f)};
     const Vec q = frame.to_local(m);
     const float shell = ellipsoid(q, {0, 0, 0}, {0.78f, 2.1f, 0.42f});
-    const float hollow = ellipsoid(q, {0, 0.05f, -0.42f}, {0.55f, 1.75f, 0.42f});
-    const float other = ellipsoid(q, {0, 0.05f, 0.42f}, {0.55f, 1.75f, 0.42f});
-    const float front = cross(side, along).x < 0 ? hollow : other;
-    return cut(shell, front, 0.15f);
+    const float hollow = ellipsoid(q, {0, 0.05f, 0.42f}, {0.55f, 1.75f, 0.42f});
+    return cut(shell, hollow, 0.15f);
   }
 };
 

@@ -44,11 +44,11 @@ class EmbreeMesh {
 public:
   explicit EmbreeMesh(const tyn_test::MeshData &mesh) : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12,
-                                              mesh.vertex_count());
+    void *positions =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertex_count());
     memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(float));
-    void *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                            mesh.triangle_count());
+    void *indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangle_count());
     memcpy(indices, mesh.indices.data(), mesh.indices.size() * sizeof(uint32_t));
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);

@@ -92,10 +92,10 @@ typedef struct TynDeviceInfo {
   char name[128];
   char platform[128];
   char driver[64];
-  uint32_t is_gpu;        /* 1 or 0 */
+  uint32_t is_gpu; /* 1 or 0 */
   uint32_t compute_units;
-  uint64_t memory;        /* bytes of global memory */
-  uint32_t lane_width;    /* lanes that the kernels use on it by default: 16, 8 or 4 on a CPU, 1 on a GPU */
+  uint64_t memory;     /* bytes of global memory */
+  uint32_t lane_width; /* lanes that the kernels use on it by default: 16, 8 or 4 on a CPU, 1 on a GPU */
 } TynDeviceInfo;
 
 /* Stores the number of OpenCL devices, which may be 0. `count`: not NULL. */
@@ -105,13 +105,13 @@ TYN_API TynStatus tyn_device_count(uint32_t *count);
 TYN_API TynStatus tyn_device_info(uint32_t index, TynDeviceInfo *info);
 
 typedef struct TynContextOptions {
-  size_t size;                 /* sizeof(TynContextOptions) */
-  const char *device;          /* device index or part of its name (case ignored); NULL: TYNDALL_DEVICE, else device 0 */
+  size_t size;        /* sizeof(TynContextOptions) */
+  const char *device; /* device index or part of its name (case ignored); NULL: TYNDALL_DEVICE, else device 0 */
   const char *cache_directory; /* folder for compiled kernels; NULL: see Environment; "": no cache */
-  uint64_t memory_limit;       /* bytes of device memory that may be in use; 0: the device's own. Batches shrink to fit. */
-  uint32_t lane_width;         /* 1, 4, 8 or 16 lanes; 0: by device. Results do not depend on it. */
-  char *message;               /* where a failing tyn_context_create says why; may be NULL */
-  size_t message_capacity;     /* bytes of `message`, the terminating 0 included */
+  uint64_t memory_limit;   /* bytes of device memory that may be in use; 0: the device's own. Batches shrink to fit. */
+  uint32_t lane_width;     /* 1, 4, 8 or 16 lanes; 0: by device. Results do not depend on it. */
+  char *message;           /* where a failing tyn_context_create says why; may be NULL */
+  size_t message_capacity; /* bytes of `message`, the terminating 0 included */
 } TynContextOptions;
 
 static inline TynContextOptions tyn_context_options(void) {
@@ -143,12 +143,12 @@ TYN_API TynStatus tyn_context_fail(TynContext *context, TynStatus status, const 
  * p(cos) = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)), cos between the directions of travel before and after
  * (Henyey & Greenstein 1941; g > 0 scatters forward). */
 typedef struct TynMedium {
-  size_t size;        /* sizeof(TynMedium) */
-  const char *name;   /* copied; may be NULL */
-  float sigma_a[3];   /* absorption, 1/scene unit, >= 0, finite */
-  float sigma_s[3];   /* scattering, 1/scene unit, >= 0, finite */
-  float g;            /* mean cosine, in (-1, 1) */
-  float ior;          /* index of refraction relative to outside, [1, 4]; 1: index-matched, light crosses unbent */
+  size_t size;      /* sizeof(TynMedium) */
+  const char *name; /* copied; may be NULL */
+  float sigma_a[3]; /* absorption, 1/scene unit, >= 0, finite */
+  float sigma_s[3]; /* scattering, 1/scene unit, >= 0, finite */
+  float g;          /* mean cosine, in (-1, 1) */
+  float ior;        /* index of refraction relative to outside, [1, 4]; 1: index-matched, light crosses unbent */
 } TynMedium;
 
 /* Defaults: no absorption, no scattering, g = 0, ior = 1. */
@@ -180,11 +180,11 @@ TYN_API float tyn_color_from_albedo(float albedo, float g);
 /* Characteristic lengths of a medium per channel; INFINITY where there is none. Fractions are relative to
  * `reference_length` (e.g. a mesh's diagonal). */
 typedef struct TynMediumDescription {
-  float albedo[3];                      /* sigma_s / sigma_t; 0 for an empty medium */
-  float diffuse_albedo[3];              /* colour of an index-matched half-space, tyn_color_from_albedo */
-  double mean_free_path_mm[3];          /* 1 / sigma_t */
+  float albedo[3];                       /* sigma_s / sigma_t; 0 for an empty medium */
+  float diffuse_albedo[3];               /* colour of an index-matched half-space, tyn_color_from_albedo */
+  double mean_free_path_mm[3];           /* 1 / sigma_t */
   double transport_mean_free_path_mm[3]; /* 1 / (sigma_a + sigma_s (1 - g)) */
-  double diffusion_length_mm[3];        /* 1 / sqrt(3 sigma_a (sigma_a + sigma_s (1 - g))) */
+  double diffusion_length_mm[3];         /* 1 / sqrt(3 sigma_a (sigma_a + sigma_s (1 - g))) */
   double mean_free_path_fraction[3];
   double transport_mean_free_path_fraction[3];
   double diffusion_length_fraction[3];
@@ -249,8 +249,8 @@ enum { TYN_FILTER_LINEAR = 0, TYN_FILTER_NEAREST = 1 };
 
 /* A use of an image. The origin of uv is the upper left corner of the image, v grows downwards (glTF 2.0). */
 typedef struct TynTexture {
-  uint32_t image;     /* index from tyn_scene_add_image; TYN_NONE: no texture */
-  uint32_t wrap_u;    /* TYN_WRAP_* */
+  uint32_t image;  /* index from tyn_scene_add_image; TYN_NONE: no texture */
+  uint32_t wrap_u; /* TYN_WRAP_* */
   uint32_t wrap_v;
   uint32_t filter;    /* TYN_FILTER_* */
   float transform[6]; /* u' = t[0] u + t[1] v + t[2], v' = t[3] u + t[4] v + t[5] (KHR_texture_transform) */
@@ -270,24 +270,24 @@ static inline TynTexture tyn_texture(void) {
  * interface transmits into the mesh's medium (a walk); the rest meets an opaque Lambertian base of colour base_color. */
 typedef struct TynMaterial {
   size_t size;
-  const char *name;         /* copied; may be NULL */
-  float base_color[3];      /* [0, 1]; default 1 1 1 */
-  float metallic;           /* [0, 1]; default 0 */
-  float roughness;          /* perceptual, [0, 1]; GGX alpha = roughness^2; default 1; alpha < 0.001 is smooth */
-  float ior;                /* of the interface, [1, 4]; default 1.5. 1: no interface. A mesh with a medium: set both alike. */
-  float transmission;       /* [0, 1]; default 0 (opaque); 1: everything that enters walks */
-  float emission[3];        /* radiance, >= 0; default 0; emitted on the outside (both sides if double_sided) */
-  float normal_scale;       /* of normal_texture; default 1 */
-  uint32_t double_sided;    /* 0 or 1; no effect on a surface with an interior */
-  uint32_t thin_walled;     /* 1: no interior; `transmission` passes straight through, tinted by base_color */
-  float thin_scatter;       /* thin-walled: fraction of the transmitted light that is scattered, [0, 1]; default 0 */
-  float thin_scatter_color[3];   /* thin-walled: diffuse colour of what is scattered; default 1 1 1 */
+  const char *name;    /* copied; may be NULL */
+  float base_color[3]; /* [0, 1]; default 1 1 1 */
+  float metallic;      /* [0, 1]; default 0 */
+  float roughness;     /* perceptual, [0, 1]; GGX alpha = roughness^2; default 1; alpha < 0.001 is smooth */
+  float ior; /* of the interface, [1, 4]; default 1.5. 1: no interface. A mesh with a medium: set both alike. */
+  float transmission;          /* [0, 1]; default 0 (opaque); 1: everything that enters walks */
+  float emission[3];           /* radiance, >= 0; default 0; emitted on the outside (both sides if double_sided) */
+  float normal_scale;          /* of normal_texture; default 1 */
+  uint32_t double_sided;       /* 0 or 1; no effect on a surface with an interior */
+  uint32_t thin_walled;        /* 1: no interior; `transmission` passes straight through, tinted by base_color */
+  float thin_scatter;          /* thin-walled: fraction of the transmitted light that is scattered, [0, 1]; default 0 */
+  float thin_scatter_color[3]; /* thin-walled: diffuse colour of what is scattered; default 1 1 1 */
   float thin_scatter_anisotropy; /* thin-walled: (1 + g) / 2 goes through, (1 - g) / 2 comes back; default 0 */
   float multiscatter_color[3];   /* multiple-scattering colour, [0, 1]; [0] < 0 (default): the medium's own albedo.
                                     Otherwise the entry point's colour (times the two textures) sets the walk's albedo by
                                     tyn_albedo_from_color; sigma_t stays the medium's. */
   float scatter_strength;        /* [0, 1]; default 1; scales multiscatter_color */
-  TynTexture base_color_texture;         /* RGB, times base_color */
+  TynTexture base_color_texture; /* RGB, times base_color */
   TynTexture metallic_roughness_texture; /* B metallic, G roughness */
   TynTexture normal_texture;             /* tangent space */
   TynTexture emission_texture;           /* RGB, times emission */
@@ -318,18 +318,18 @@ static inline TynMaterial tyn_material(void) {
  * tyn_scene_mesh_info and still renders. */
 typedef struct TynMesh {
   size_t size;
-  const char *name;          /* copied; may be NULL */
-  const float *positions;    /* x y z, finite; not NULL */
-  size_t position_stride;    /* bytes; 0 = 12 */
-  uint32_t vertex_count;     /* >= 3 */
-  const float *normals;      /* unit shading normals (normalized here); may be NULL */
-  size_t normal_stride;      /* bytes; 0 = 12 */
-  const float *uvs;          /* may be NULL */
-  size_t uv_stride;          /* bytes; 0 = 8 */
-  const uint32_t *indices;   /* 3 a triangle, each < vertex_count; not NULL */
-  uint32_t triangle_count;   /* >= 1 */
-  uint32_t medium;           /* index of the medium inside; TYN_NONE: opaque */
-  uint32_t material;         /* index of the material; TYN_NONE: a default one */
+  const char *name;                   /* copied; may be NULL */
+  const float *positions;             /* x y z, finite; not NULL */
+  size_t position_stride;             /* bytes; 0 = 12 */
+  uint32_t vertex_count;              /* >= 3 */
+  const float *normals;               /* unit shading normals (normalized here); may be NULL */
+  size_t normal_stride;               /* bytes; 0 = 12 */
+  const float *uvs;                   /* may be NULL */
+  size_t uv_stride;                   /* bytes; 0 = 8 */
+  const uint32_t *indices;            /* 3 a triangle, each < vertex_count; not NULL */
+  uint32_t triangle_count;            /* >= 1 */
+  uint32_t medium;                    /* index of the medium inside; TYN_NONE: opaque */
+  uint32_t material;                  /* index of the material; TYN_NONE: a default one */
   const uint32_t *triangle_materials; /* material of each triangle, triangle_count of them; NULL: `material` for all */
 } TynMesh;
 
@@ -348,13 +348,13 @@ enum { TYN_LIGHT_POINT = 0, TYN_LIGHT_SPOT = 1, TYN_LIGHT_DIRECTIONAL = 2 };
 typedef struct TynLight {
   size_t size;
   const char *name;
-  uint32_t type;         /* TYN_LIGHT_* */
-  float position[3];     /* point, spot */
-  float direction[3];    /* spot, directional: unit, the direction the light travels in */
-  float intensity[3];    /* point, spot: radiant intensity, power per steradian with lengths in scene units (irradiance at
+  uint32_t type;      /* TYN_LIGHT_* */
+  float position[3];  /* point, spot */
+  float direction[3]; /* spot, directional: unit, the direction the light travels in */
+  float intensity[3]; /* point, spot: radiant intensity, power per steradian with lengths in scene units (irradiance at
                             distance d is intensity / d^2); directional: irradiance. >= 0, finite */
-  float inner_cone;      /* spot: half angle at which the falloff begins, radians, [0, outer_cone) */
-  float outer_cone;      /* spot: half angle at which it reaches 0, radians, (0, pi/2] */
+  float inner_cone;   /* spot: half angle at which the falloff begins, radians, [0, outer_cone) */
+  float outer_cone;   /* spot: half angle at which it reaches 0, radians, (0, pi/2] */
 } TynLight;
 
 static inline TynLight tyn_light(void) {
@@ -371,9 +371,9 @@ static inline TynLight tyn_light(void) {
  * its top row along +Y, columns run to the right (+X). */
 typedef struct TynEnvironment {
   size_t size;
-  float radiance[3]; /* >= 0; constant radiance, or a factor on the image; default 0 0 0 */
-  uint32_t image;    /* RGBA32F image, TYN_NONE (default): constant */
-  float rotation;    /* radians about +Y, counter-clockwise seen from above */
+  float radiance[3];           /* >= 0; constant radiance, or a factor on the image; default 0 0 0 */
+  uint32_t image;              /* RGBA32F image, TYN_NONE (default): constant */
+  float rotation;              /* radians about +Y, counter-clockwise seen from above */
   uint32_t hidden_from_camera; /* 1: camera rays that leave the scene see black (alpha 0 either way) */
 } TynEnvironment;
 
@@ -391,12 +391,13 @@ enum { TYN_CAMERA_PERSPECTIVE = 0, TYN_CAMERA_ORTHOGRAPHIC = 1 };
 typedef struct TynCamera {
   size_t size;
   const char *name;
-  uint32_t type;             /* TYN_CAMERA_* */
+  uint32_t type;               /* TYN_CAMERA_* */
   float world_from_camera[12]; /* row-major 3 x 4, rotation and translation */
-  float yfov;                /* perspective: vertical field of view, radians, (0, pi) */
-  float ymag;                /* orthographic: half the height of the view, scene units, > 0 */
-  float aspect_ratio;        /* width / height the camera was made for; 0: the film's. A film of another shape shows more, never less. */
-  float znear;               /* >= 0; nearer surfaces are not seen by camera rays */
+  float yfov;                  /* perspective: vertical field of view, radians, (0, pi) */
+  float ymag;                  /* orthographic: half the height of the view, scene units, > 0 */
+  float
+      aspect_ratio; /* width / height the camera was made for; 0: the film's. A film of another shape shows more, never less. */
+  float znear; /* >= 0; nearer surfaces are not seen by camera rays */
 } TynCamera;
 
 static inline TynCamera tyn_camera(void) {
@@ -443,14 +444,16 @@ typedef struct TynMeshInfo {
   const char *name; /* valid as long as the scene; never NULL */
   uint32_t vertex_count, triangle_count;
   uint32_t welded_vertex_count;
-  uint32_t closed;               /* 1: no boundary and no non-manifold edge */
-  uint32_t boundary_edges;       /* edges with one triangle */
-  uint32_t nonmanifold_edges;    /* edges with more than two triangles */
-  uint32_t degenerate_triangles; /* of zero area or with a repeated vertex: seen by rays only through rounding, where they close a gap */
+  uint32_t closed;            /* 1: no boundary and no non-manifold edge */
+  uint32_t boundary_edges;    /* edges with one triangle */
+  uint32_t nonmanifold_edges; /* edges with more than two triangles */
+  uint32_t
+      degenerate_triangles; /* of zero area or with a repeated vertex: seen by rays only through rounding, where they close a gap */
   uint32_t duplicate_triangles;
-  uint32_t components;           /* connected over shared edges */
-  uint32_t inverted_components;  /* components whose triangles faced inwards and were turned (only the outermost orientation rule is applied: signed volume of the whole mesh > 0) */
-  uint32_t turned_triangles;     /* triangles whose winding disagreed and was turned */
+  uint32_t components; /* connected over shared edges */
+  uint32_t
+      inverted_components; /* components whose triangles faced inwards and were turned (only the outermost orientation rule is applied: signed volume of the whole mesh > 0) */
+  uint32_t turned_triangles; /* triangles whose winding disagreed and was turned */
   uint32_t medium, material;
   double area;   /* scene units squared */
   double volume; /* scene units cubed; meaningful if closed */
@@ -474,13 +477,14 @@ TYN_API TynStatus tyn_occluded(TynScene *scene, uint32_t mesh, const TynRay *ray
 
 typedef struct TynWalkOptions {
   size_t size;
-  uint64_t seed;             /* any; default 0 */
-  uint64_t first_path;       /* path number of the first entry: splitting a batch changes nothing if this counts on; default 0 */
-  uint32_t max_scatterings;  /* 0 (default): no cap. Otherwise a walk ends there and the ledger says what was cut. */
-  float roulette_threshold;  /* walks whose largest channel falls below it play Russian roulette, (0, 1]; default 0.1 */
-  uint32_t roulette_off;     /* 1: never; such a walk only ends by leaving (or at weight 0). Default 0 */
-  TynProgress progress;      /* may be NULL */
-  void *user;                /* passed to progress */
+  uint64_t seed; /* any; default 0 */
+  uint64_t
+      first_path; /* path number of the first entry: splitting a batch changes nothing if this counts on; default 0 */
+  uint32_t max_scatterings; /* 0 (default): no cap. Otherwise a walk ends there and the ledger says what was cut. */
+  float roulette_threshold; /* walks whose largest channel falls below it play Russian roulette, (0, 1]; default 0.1 */
+  uint32_t roulette_off;    /* 1: never; such a walk only ends by leaving (or at weight 0). Default 0 */
+  TynProgress progress;     /* may be NULL */
+  void *user;               /* passed to progress */
 } TynWalkOptions;
 
 static inline TynWalkOptions tyn_walk_options(void) {
@@ -497,11 +501,12 @@ typedef struct TynLedger {
   double entered[3];
   double reflected[3]; /* by the boundary, before entering (kind REFRACT) */
   double escaped[3];
-  double absorbed[3];  /* by sigma_a, in expectation at every scattering */
-  double balance[3];   /* what roulette and the balance heuristic over channels removed (> 0) or added (< 0): zero on average */
-  double capped[3];    /* cut by max_scatterings */
-  double leaked[3];    /* left through a hole */
-  double lost[3];      /* numerically */
+  double absorbed[3]; /* by sigma_a, in expectation at every scattering */
+  double balance
+      [3]; /* what roulette and the balance heuristic over channels removed (> 0) or added (< 0): zero on average */
+  double capped[3]; /* cut by max_scatterings */
+  double leaked[3]; /* left through a hole */
+  double lost[3];   /* numerically */
   uint64_t walks, escaped_walks, absorbed_walks, capped_walks, leaked_walks, lost_walks, reflected_walks;
   uint64_t scatterings;
 } TynLedger;
@@ -521,7 +526,8 @@ typedef struct TynRenderer TynRenderer;
 
 /* How light leaves a medium, for what is connected to lights directly. */
 enum {
-  TYN_EXIT_DIFFUSE = 0,   /* default: the normalized-Fresnel cosine lobe (1 - F(cos)) cos / c: energy exact, angles as if the
+  TYN_EXIT_DIFFUSE =
+      0, /* default: the normalized-Fresnel cosine lobe (1 - F(cos)) cos / c: energy exact, angles as if the
                              light inside were diffuse at the boundary. Little noise. */
   TYN_EXIT_DIELECTRIC = 1 /* the walk's own refracted direction: exact. Point, spot and directional lights, which such a
                              direction never meets, still go through the diffuse lobe. More noise. */
@@ -529,11 +535,12 @@ enum {
 
 typedef struct TynRenderOptions {
   size_t size;
-  uint32_t width, height;  /* pixels, 1 .. 32768; default 640 x 480 */
-  TynCamera camera;        /* default: tyn_camera(); see tyn_scene_frame */
-  uint64_t seed;           /* default 0 */
-  uint32_t max_bounces;    /* surface interactions of a path, >= 1; default 64; a walk counts as one. Roulette ends most before. */
-  uint32_t exit;           /* TYN_EXIT_* */
+  uint32_t width, height; /* pixels, 1 .. 32768; default 640 x 480 */
+  TynCamera camera;       /* default: tyn_camera(); see tyn_scene_frame */
+  uint64_t seed;          /* default 0 */
+  uint32_t
+      max_bounces; /* surface interactions of a path, >= 1; default 64; a walk counts as one. Roulette ends most before. */
+  uint32_t exit; /* TYN_EXIT_* */
 } TynRenderOptions;
 
 static inline TynRenderOptions tyn_render_options(void) {
@@ -561,9 +568,10 @@ TYN_API TynScene *tyn_renderer_scene(const TynRenderer *renderer);
 /* When to stop: whichever comes first. */
 typedef struct TynRenderBudget {
   size_t size;
-  uint32_t samples;     /* samples a pixel to add; 0: no limit; default 64 */
-  double seconds;       /* wall-clock; 0: no limit; checked between passes */
-  double target_error;  /* mean over the pixels of stderr / (value + 0.01 x mean value) of beauty's luminance; 0: none; checked
+  uint32_t samples; /* samples a pixel to add; 0: no limit; default 64 */
+  double seconds;   /* wall-clock; 0: no limit; checked between passes */
+  double
+      target_error; /* mean over the pixels of stderr / (value + 0.01 x mean value) of beauty's luminance; 0: none; checked
                            from 16 samples on */
   TynProgress progress; /* may be NULL */
   void *user;
@@ -605,15 +613,15 @@ TYN_API uint32_t tyn_layer_channels(uint32_t layer);
 TYN_API TynStatus tyn_renderer_read(TynRenderer *renderer, uint32_t layer, float *pixels, size_t count);
 
 typedef struct TynRenderStats {
-  size_t size;              /* set by the caller */
+  size_t size; /* set by the caller */
   uint32_t width, height;
-  uint32_t samples;         /* a pixel, so far */
-  double seconds;           /* spent in tyn_renderer_run */
-  double error;             /* as in target_error; 0 before 2 samples */
+  uint32_t samples; /* a pixel, so far */
+  double seconds;   /* spent in tyn_renderer_run */
+  double error;     /* as in target_error; 0 before 2 samples */
   uint64_t paths;
   uint64_t nonfinite_paths; /* whose contribution was not finite and was left out; 0 unless there is a defect */
   uint64_t seed;
-  TynLedger ledger;         /* of all walks */
+  TynLedger ledger; /* of all walks */
 } TynRenderStats;
 
 TYN_API TynStatus tyn_renderer_stats(TynRenderer *renderer, TynRenderStats *stats);

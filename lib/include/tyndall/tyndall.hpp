@@ -29,7 +29,8 @@ private:
 
 // One reference to a handle: copying retains, destruction releases. Handle functions are template arguments, so an owner is
 // the size of a pointer.
-template <class T, void (*retain)(T *), void (*release)(T *)> class Owner {
+template <class T, void (*retain)(T *), void (*release)(T *)>
+class Owner {
 public:
   Owner() : handle_(nullptr) {}
   // Takes over the reference that a *_create call returned.
@@ -53,7 +54,8 @@ private:
 
 // Throws an Error with the context's message unless `status` is TYN_OK.
 inline void check(const TynContext *context, TynStatus status) {
-  if (status == TYN_OK) return;
+  if (status == TYN_OK)
+    return;
   std::string message = context ? tyn_context_message(context) : "";
   throw Error(status, message.empty() ? tyn_status_string(status) : message);
 }
@@ -72,7 +74,8 @@ private:
     options.message_capacity = sizeof message;
     TynContext *context = nullptr;
     TynStatus status = tyn_context_create(&options, &context);
-    if (status != TYN_OK) throw Error(status, message);
+    if (status != TYN_OK)
+      throw Error(status, message);
     return context;
   }
 };

@@ -22,7 +22,8 @@ TYN_API TynStatus tyn_context_create_cl(const TynContextOptions *options, cl_con
                                         TynContext **context);
 
 /* The cl_context, queue and device that a context uses (not retained); each pointer may be NULL. */
-TYN_API TynStatus tyn_context_cl(const TynContext *context, cl_context *cl, cl_command_queue *queue, cl_device_id *device);
+TYN_API TynStatus tyn_context_cl(const TynContext *context, cl_context *cl, cl_command_queue *queue,
+                                 cl_device_id *device);
 
 /* tyn_intersect on buffers: `rays` holds `count` TynRay, `hits` receives `count` TynHit. Enqueued on the context's queue;
  * does not wait. The contents are not checked. */
@@ -33,8 +34,8 @@ TYN_API TynStatus tyn_occluded_cl(TynScene *scene, uint32_t mesh, cl_mem rays, s
 /* tyn_walk on buffers: `entries` holds `count` TynWalkEntry, `exits` receives `count` TynWalkExit. The contents are not
  * checked, except that an index out of range ends its walk as TYN_WALK_LOST. With `ledger` NULL the call only enqueues;
  * otherwise it waits and fills the ledger. Progress is not reported. */
-TYN_API TynStatus tyn_walk_cl(TynScene *scene, const TynWalkOptions *options, cl_mem entries, size_t count, cl_mem exits,
-                              TynLedger *ledger);
+TYN_API TynStatus tyn_walk_cl(TynScene *scene, const TynWalkOptions *options, cl_mem entries, size_t count,
+                              cl_mem exits, TynLedger *ledger);
 
 #ifdef __cplusplus
 }

@@ -25,11 +25,11 @@ typedef struct TynGltfOptions {
   size_t size;
   const TynMediumAssignment *assignments; /* assignment_count of them; the last that matches wins; may be NULL if 0 */
   size_t assignment_count;
-  uint32_t skip_lights;     /* 1: punctual lights of the file are left out */
-  uint64_t max_file_bytes;  /* larger files, buffers and images are refused; default 1 GiB */
-  uint64_t max_triangles;   /* default 100 million */
+  uint32_t skip_lights;      /* 1: punctual lights of the file are left out */
+  uint64_t max_file_bytes;   /* larger files, buffers and images are refused; default 1 GiB */
+  uint64_t max_triangles;    /* default 100 million */
   uint64_t max_image_pixels; /* default 256 million */
-  TynWarning warning;       /* may be NULL */
+  TynWarning warning;        /* may be NULL */
   void *user;
 } TynGltfOptions;
 
@@ -70,9 +70,9 @@ enum {
 
 typedef struct TynPngOptions {
   size_t size;
-  float exposure;     /* stops, added before the tone curve; default 0 */
-  uint32_t tone;      /* TYN_TONE_*; default TYN_TONE_SRGB */
-  uint32_t layer;     /* TYN_LAYER_*; default beauty */
+  float exposure;       /* stops, added before the tone curve; default 0 */
+  uint32_t tone;        /* TYN_TONE_*; default TYN_TONE_SRGB */
+  uint32_t layer;       /* TYN_LAYER_*; default beauty */
   uint32_t transparent; /* 1: write beauty's alpha; default 0 */
 } TynPngOptions;
 

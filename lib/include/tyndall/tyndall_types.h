@@ -53,7 +53,8 @@ typedef struct TynWalkEntry {
   uint32_t mesh;      /* mesh whose inside is walked; must have a medium, here or through `medium` */
   float weight[3];    /* RGB weight that enters, >= 0; usually 1 1 1 */
   uint32_t triangle;  /* triangle within the mesh on which `position` lies; TYN_NONE: in the interior (kind INSIDE) */
-  float albedo[3];    /* single-scattering albedo in [0, 1] for this walk (a texture's value); albedo[0] < 0: the medium's */
+  float
+      albedo[3]; /* single-scattering albedo in [0, 1] for this walk (a texture's value); albedo[0] < 0: the medium's */
   uint32_t medium;    /* index of the medium; TYN_NONE: the mesh's */
   float sigma_t[3];   /* extinction for this walk, 1/scene unit, >= 0; sigma_t[0] < 0: the medium's */
   uint32_t reserved;  /* 0 */
@@ -76,11 +77,11 @@ enum {
  * weight is what was left when the walk ended. */
 typedef struct TynWalkExit {
   float position[3];
-  uint32_t status;           /* TYN_WALK_* */
-  float direction[3];        /* unit, pointing outside */
-  uint32_t triangle;         /* triangle of the mesh that was crossed; TYN_NONE if none */
-  float weight[3];           /* RGB weight that leaves; per walk at most (number of channels) x the weight that entered */
-  uint32_t scatterings;      /* number of scattering events */
+  uint32_t status;      /* TYN_WALK_* */
+  float direction[3];   /* unit, pointing outside */
+  uint32_t triangle;    /* triangle of the mesh that was crossed; TYN_NONE if none */
+  float weight[3];      /* RGB weight that leaves; per walk at most (number of channels) x the weight that entered */
+  uint32_t scatterings; /* number of scattering events */
   float geometric_normal[3]; /* unit, outside */
   float path_length;         /* total length travelled inside, scene units */
   float shading_normal[3];   /* unit, interpolated vertex normals (the geometric normal if the mesh has none) */
