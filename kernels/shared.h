@@ -24,9 +24,9 @@ typedef struct TynBvhNode {
 
 // Four triangles. Unused places repeat triangle TYN_NONE with all-zero positions, which nothing hits.
 typedef struct TynTriangleBlock {
-  float position[9][TYN_BLOCK_SIZE];  // p0 x, y, z, p1 x, y, z, p2 x, y, z
-  uint32_t triangle[TYN_BLOCK_SIZE];  // scene-wide index
-} TynTriangleBlock; // 160 bytes
+  float position[9][TYN_BLOCK_SIZE]; // p0 x, y, z, p1 x, y, z, p2 x, y, z
+  uint32_t triangle[TYN_BLOCK_SIZE]; // scene-wide index
+} TynTriangleBlock;                  // 160 bytes
 
 // ---- Geometry ---------------------------------------------------------------------------------------------------------
 // Vertices and triangles of all meshes, one after the other.
@@ -50,7 +50,7 @@ typedef struct TynMeshRecord {
                    // absolute coordinate of the mesh, as a power of two
   float lower[3];
   float upper[3]; // bounds, widened by slack
-} TynMeshRecord; // 48 bytes
+} TynMeshRecord;  // 48 bytes
 
 typedef struct TynMediumRecord {
   float sigma_t[3];
@@ -61,17 +61,17 @@ typedef struct TynMediumRecord {
 
 // ---- Walks ------------------------------------------------------------------------------------------------------------
 typedef struct TynWalkParameters {
-  uint32_t seed[2];       // low, high word
-  uint32_t first_path[2]; // low, high word of the path number of the first entry
-  uint32_t count;         // number of entries
+  uint32_t seed[2];         // low, high word
+  uint32_t first_path[2];   // low, high word of the path number of the first entry
+  uint32_t count;           // number of entries
   uint32_t max_scatterings; // 0: no cap
   float roulette_threshold; // 0: no roulette
   uint32_t mesh_count;
   uint32_t medium_count;
   uint32_t triangle_count;
-  uint32_t slice; // entries per work-item
+  uint32_t slice;           // entries per work-item
   uint32_t callers_winding; // 1: exits give u and v for the caller's order of vertices, else for the scene's
-} TynWalkParameters; // 48 bytes
+} TynWalkParameters;        // 48 bytes
 
 // What one walk adds to the ledger beside what its exit says.
 typedef struct TynWalkTally {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <mutex>
 #include <cstring>
 
 #include "core/opencl.hpp"
@@ -104,6 +105,10 @@ TynDeviceInfo describe_device(cl_device_id device) {
 }
 
 std::vector<Device> list_devices() {
+  // The first call loads the drivers, which neither ocl-icd nor PoCL 3.1 guards: two threads that make their first contexts
+  // at the same time must not both be here.
+  static std::mutex loading;
+  const std::lock_guard<std::mutex> lock(loading);
   std::vector<Device> devices;
   for (cl_platform_id platform : list_platforms()) {
     for (cl_device_id id : platform_devices(platform)) {
