@@ -68,7 +68,10 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
   at.lobe.ior = media[medium].ior;
   at.lobe.transmittance = render_media[medium].transmittance;
 
-  uint samples = p->emitter_count == 0u ? 0u : p->emitter_count == 1u ? 1u : LIGHT_SAMPLES;
+  // light that was not scattered still has the direction it came in with, refracted twice: clear glass stays clear
+  int ballistic = walked->scatterings == 0u;
+  int keeps_direction = ballistic || p->exit == TYN_EXIT_DIELECTRIC;
+  uint samples = ballistic || p->emitter_count == 0u ? 0u : p->emitter_count == 1u ? 1u : LIGHT_SAMPLES;
   for (uint k = 0; k < samples; ++k) {
     LightSample light = light_sample(p, &geometry, &images, &lights, materials, textures, at.position, draws,
                                      TYN_DRAW_EXIT_LIGHT, k, samples);
@@ -80,10 +83,10 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
       path_add(results + index, path->event, arriving);
   }
 
-  float3 l = p->exit == TYN_EXIT_DIELECTRIC ? tyn_load3_global(walked->direction)
-                                            : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
+  float3 l =
+      keeps_direction ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
   // against several light samples a followed direction counts for less: only the ratio of the densities matters
-  float pdf = p->exit == TYN_EXIT_DIELECTRIC ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
+  float pdf = keeps_direction ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
   path->bounces = path->bounces - 1u; // path_continue counts it
   path_continue(&queues, path, index, surface_leave(at.position, at.lobe.geometric, l, at.size), l, pdf, at.throughput,
                 path->event);

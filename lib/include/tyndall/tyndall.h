@@ -524,13 +524,15 @@ TYN_API TynStatus tyn_walk(TynScene *scene, const TynWalkOptions *options, const
 
 typedef struct TynRenderer TynRenderer;
 
-/* How light leaves a medium, for what is connected to lights directly. */
+/* How light that was scattered inside a medium leaves it. What was not scattered keeps its refracted direction either way, so
+ * clear glass stays clear.
+ * DIFFUSE: the normalized-Fresnel cosine lobe (1 - F(cos)) cos / (pi c) about the shading normal. Energy is exact; angles are
+ * those of light that is diffuse inside the boundary, an approximation. Little noise.
+ * DIELECTRIC: the walk's own refracted direction, exact. Point, spot and directional lights, which such a direction never
+ * meets, still go through the diffuse lobe. More noise. */
 enum {
-  TYN_EXIT_DIFFUSE =
-      0, /* default: the normalized-Fresnel cosine lobe (1 - F(cos)) cos / c: energy exact, angles as if the
-                             light inside were diffuse at the boundary. Little noise. */
-  TYN_EXIT_DIELECTRIC = 1 /* the walk's own refracted direction: exact. Point, spot and directional lights, which such a
-                             direction never meets, still go through the diffuse lobe. More noise. */
+  TYN_EXIT_DIFFUSE = 0, /* default */
+  TYN_EXIT_DIELECTRIC = 1
 };
 
 typedef struct TynRenderOptions {
