@@ -83,8 +83,7 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
       path_add(results + index, path->event, arriving);
   }
 
-  float3 l =
-      keeps_direction ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
+  float3 l = keeps_direction ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
   // against several light samples a followed direction counts for less: only the ratio of the densities matters
   float pdf = keeps_direction ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
   path->bounces = path->bounces - 1u; // path_continue counts it
