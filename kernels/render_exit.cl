@@ -9,13 +9,14 @@
 typedef struct {
   Lobe lobe;
   float3 position, throughput;
-  float size; // see Surface
+  float size;          // see Surface
+  int keeps_direction; // goes on along the walk's own direction, not one of the lobe
 } Leaving;
 
 // Light of one sample, nothing being in the way; `samples`: of how many.
 static float3 exit_light(const TynRenderParameters *p, const Leaving *at, const LightSample *light, float samples) {
-  // what a direction can meet is then left to the walk's own direction
-  if (!light->valid || (p->exit == TYN_EXIT_DIELECTRIC && light->pdf > 0.0f))
+  // what a direction can meet is left to the walk's own, if it is kept
+  if (!light->valid || (at->keeps_direction && light->pdf > 0.0f))
     return tyn_vec3(0.0f, 0.0f, 0.0f);
   float value = lobe_value(&at->lobe, light->direction);
   float density = light->pdf * samples;
@@ -68,10 +69,12 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
   at.lobe.ior = media[medium].ior;
   at.lobe.transmittance = render_media[medium].transmittance;
 
-  // light that was not scattered still has the direction it came in with, refracted twice: clear glass stays clear
+  // light that was not scattered still has the direction it came in with, refracted twice: clear glass stays clear, and where
+  // it is smooth no light without size is met
   int ballistic = walked->scatterings == 0u;
-  int keeps_direction = ballistic || p->exit == TYN_EXIT_DIELECTRIC;
-  uint samples = ballistic || p->emitter_count == 0u ? 0u : p->emitter_count == 1u ? 1u : LIGHT_SAMPLES;
+  int smooth = at.lobe.ior == 1.0f || entries[i].roughness < TYN_SMOOTH_ALPHA;
+  at.keeps_direction = ballistic || p->exit == TYN_EXIT_DIELECTRIC;
+  uint samples = p->emitter_count == 0u || (ballistic && smooth) ? 0u : p->emitter_count == 1u ? 1u : LIGHT_SAMPLES;
   for (uint k = 0; k < samples; ++k) {
     LightSample light = light_sample(p, &geometry, &images, &lights, materials, textures, at.position, draws,
                                      TYN_DRAW_EXIT_LIGHT, k, samples);
@@ -83,9 +86,10 @@ kernel void shade_exits(global const TynBvhNode *nodes, global const TynTriangle
       path_add(results + index, path->event, arriving);
   }
 
-  float3 l = keeps_direction ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
+  float3 l =
+      at.keeps_direction ? tyn_load3_global(walked->direction) : lobe_sample(&at.lobe, draws, TYN_DRAW_EXIT_LOBE);
   // against several light samples a followed direction counts for less: only the ratio of the densities matters
-  float pdf = keeps_direction ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
+  float pdf = at.keeps_direction ? 0.0f : lobe_value(&at.lobe, l) / fmax((float)samples, 1.0f);
   path->bounces = path->bounces - 1u; // path_continue counts it
   path_continue(&queues, path, index, surface_leave(at.position, at.lobe.geometric, l, at.size), l, pdf, at.throughput,
                 path->event);

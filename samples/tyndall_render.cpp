@@ -20,8 +20,7 @@ namespace {
 using namespace tool;
 
 constexpr const char *kName = "tyndall-render";
-constexpr uint32_t kFirstErrorSamples = 16; // target_error is checked from here on (TynRenderBudget)
-constexpr double kSliceSeconds = 0.5;       // between two looks at the error estimate
+constexpr double kSliceSeconds = 0.5; // between two looks at the error estimate
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -40,7 +39,8 @@ public:
   RenderLoop(TynRenderer *renderer, const RenderArguments &arguments)
       : renderer_(renderer), arguments_(arguments), progress_(kName, arguments.quiet) {}
 
-  // Returns when a limit is reached or the user has had enough.
+  // Returns when a limit is reached or the user has had enough. The target error is the library's to judge, which does so at
+  // sample counts that do not depend on the slices: it adds nothing more once the target is reached.
   void run() {
     uint32_t slice = 1; // the first is never cancelled: whatever happens there is an image
     while (!done()) {
@@ -62,10 +62,7 @@ private:
       return false;
     if (interrupted() || (arguments_.samples && stats_.samples >= arguments_.samples))
       return true;
-    if (arguments_.time_limit > 0.0 && seconds_since(start_) >= arguments_.time_limit)
-      return true;
-    return arguments_.target_error > 0.0 && stats_.samples >= kFirstErrorSamples &&
-           stats_.error <= arguments_.target_error;
+    return arguments_.time_limit > 0.0 && seconds_since(start_) >= arguments_.time_limit;
   }
 
   void run_slice(uint32_t samples) {

@@ -26,6 +26,8 @@ uint32_t next_check(uint32_t samples) {
   return (samples / (power / 4) + 1) * (power / 4);
 }
 
+bool is_check(uint32_t samples) { return samples >= 16 && next_check(samples - 1) == samples; }
+
 // Paths of the next pass: so many that a pass takes about half a second, for progress and cancelling, and no longer than
 // there is time.
 size_t adapt(size_t paths, double pass_seconds, double seconds_left, size_t capacity) {
@@ -106,6 +108,9 @@ void TynRenderer::run(const TynRenderBudget &budget) {
   };
 
   report();
+  // a call that ended where a check was due may have left a film that is good enough
+  if (budget.target_error > 0 && next_pixel == 0 && is_check(samples) && film.error() <= budget.target_error)
+    return;
   while (samples < goal) {
     TynRenderParameters pass = parameters();
     uint32_t stop = budget.target_error > 0 ? std::min(goal, next_check(samples)) : goal;
@@ -131,7 +136,7 @@ void TynRenderer::run(const TynRenderBudget &budget) {
     const double seconds_left = budget.seconds > 0 ? budget.seconds - seconds_since(start) : 1e9;
     paths = adapt(paths, seconds_since(pass_start), seconds_left, wavefront.capacity());
 
-    const bool check = budget.target_error > 0 && next_pixel == 0 && samples >= 16 && samples == stop;
+    const bool check = budget.target_error > 0 && next_pixel == 0 && is_check(samples);
     if (check)
       error = film.error();
     report();

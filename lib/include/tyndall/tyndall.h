@@ -438,7 +438,12 @@ typedef struct TynSceneInfo {
   float lower[3], upper[3]; /* bounds of all meshes; lower > upper if there is none */
 } TynSceneInfo;
 
-/* What a mesh is. The checks are done when it is added: vertices of exactly equal position count as one. */
+/* What a mesh is. The checks are done when it is added: vertices of exactly equal position count as one.
+ * Only the triangles of a mesh with a medium are turned: first those that disagree with most of their component, then, in
+ * whole, each closed component whose signed volume is negative and that does not lie inside another one. One that faces
+ * inwards inside another is a cavity and stays; what lies inside a turned one is turned where that is needed for cavities
+ * to face inwards, and islands in them outwards. Without a medium the winding is the caller's and says which side is the
+ * front, so that a room or a dome may face inwards; volume is then the absolute value. */
 typedef struct TynMeshInfo {
   size_t size;      /* set by the caller */
   const char *name; /* valid as long as the scene; never NULL */
@@ -452,11 +457,12 @@ typedef struct TynMeshInfo {
   uint32_t duplicate_triangles;
   uint32_t components; /* connected over shared edges */
   uint32_t
-      inverted_components; /* components whose triangles faced inwards and were turned (only the outermost orientation rule is applied: signed volume of the whole mesh > 0) */
-  uint32_t turned_triangles; /* triangles whose winding disagreed and was turned */
+      inverted_components; /* closed components whose triangles faced the wrong way and were turned; 0 without a medium */
+  uint32_t
+      turned_triangles; /* triangles whose winding disagreed with their neighbours' and was turned; 0 without a medium */
   uint32_t medium, material;
   double area;   /* scene units squared */
-  double volume; /* scene units cubed; meaningful if closed */
+  double volume; /* scene units cubed; meaningful if closed and, without a medium, wound consistently */
   float lower[3], upper[3];
 } TynMeshInfo;
 
@@ -504,7 +510,7 @@ typedef struct TynLedger {
   double absorbed[3]; /* by sigma_a, in expectation at every scattering */
   double balance
       [3]; /* what roulette and the balance heuristic over channels removed (> 0) or added (< 0): zero on average */
-  double capped[3]; /* cut by max_scatterings */
+  double capped[3]; /* cut by max_scatterings, or trapped (TYN_WALK_CAPPED) */
   double leaked[3]; /* left through a hole */
   double lost[3];   /* numerically */
   uint64_t walks, escaped_walks, absorbed_walks, capped_walks, leaked_walks, lost_walks, reflected_walks;
@@ -567,14 +573,14 @@ TYN_API void tyn_renderer_release(TynRenderer *renderer);
 /* The renderer's scene (not retained); NULL for NULL. */
 TYN_API TynScene *tyn_renderer_scene(const TynRenderer *renderer);
 
-/* When to stop: whichever comes first. */
+/* When to stop: whichever comes first. The error is the mean over the pixels of stderr / (value + 0.01 x mean value) of
+ * beauty's luminance; it is looked at at fixed sample counts from 16 on, so that where a render stops depends on nothing but
+ * its samples. */
 typedef struct TynRenderBudget {
   size_t size;
-  uint32_t samples; /* samples a pixel to add; 0: no limit; default 64 */
-  double seconds;   /* wall-clock; 0: no limit; checked between passes */
-  double
-      target_error; /* mean over the pixels of stderr / (value + 0.01 x mean value) of beauty's luminance; 0: none; checked
-                           from 16 samples on */
+  uint32_t samples;     /* samples a pixel to add; 0: no limit; default 64 */
+  double seconds;       /* wall-clock; 0: no limit; checked between passes */
+  double target_error;  /* 0: none */
   TynProgress progress; /* may be NULL */
   void *user;
 } TynRenderBudget;

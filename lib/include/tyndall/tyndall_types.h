@@ -63,11 +63,12 @@ typedef struct TynWalkEntry {
   uint32_t reserved2; /* 0 */
 } TynWalkEntry;
 
-/* How a walk ended. */
+/* How a walk ended. CAPPED: it reached the caller's max_scatterings, or it is trapped: the boundary reflected it 65536 times
+ * without a scattering event (4096 times in a medium without extinction). */
 enum {
   TYN_WALK_ESCAPED = 0,  /* left through the boundary: position, direction and weight are set */
   TYN_WALK_ABSORBED = 1, /* ended by roulette, or its weight reached exactly 0 */
-  TYN_WALK_CAPPED = 2,   /* reached the caller's max_scatterings */
+  TYN_WALK_CAPPED = 2,   /* cut short */
   TYN_WALK_LEAKED = 3,   /* left the bounds of its mesh without crossing a triangle: a hole */
   TYN_WALK_LOST = 4,     /* a number became NaN or infinite: reported, never silently dropped */
   TYN_WALK_REFLECTED = 5 /* kind REFRACT: nothing was transmitted */
