@@ -3,7 +3,7 @@
 // The batch ray calls, on host pointers and on the caller's buffers.
 #include <algorithm>
 
-#include "scene/argument.hpp"
+#include "scene/buffer_argument.hpp"
 #include "scene/scene.hpp"
 
 namespace tyn {
@@ -85,28 +85,14 @@ void run_batches(TynScene &scene, uint32_t mesh, const TynRay *rays, size_t coun
   }
 }
 
-// A buffer of the caller's: of the same cl_context, and large enough.
-void check_buffer(const TynContext &context, const char *name, cl_mem buffer, size_t count, size_t element) {
-  size_t bytes = 0, needed = 0;
-  cl_context owner = nullptr;
-  if (clGetMemObjectInfo(buffer, CL_MEM_SIZE, sizeof bytes, &bytes, nullptr) != CL_SUCCESS ||
-      clGetMemObjectInfo(buffer, CL_MEM_CONTEXT, sizeof owner, &owner, nullptr) != CL_SUCCESS)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s is not a buffer", name);
-  if (owner != context.cl)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s belongs to another cl_context than the scene's", name);
-  if (__builtin_mul_overflow(count, element, &needed) || bytes < needed)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s has %zu bytes; %zu elements of %zu bytes do not fit", name, bytes, count,
-         element);
-}
-
 template <class Result, class Launch>
 void run_on_buffers(TynScene &scene, uint32_t mesh, cl_mem rays, size_t count, const char *name, cl_mem results,
                     Launch launch) {
   check_call(scene, mesh, rays, results, count);
   if (count == 0)
     return;
-  check_buffer(scene.context, "rays", rays, count, sizeof(TynRay));
-  check_buffer(scene.context, name, results, count, sizeof(Result));
+  require_buffer(scene.context, "rays", rays, count, sizeof(TynRay));
+  require_buffer(scene.context, name, results, count, sizeof(Result));
   launch(scene, mesh, rays, count, results);
   scene.context.flush();
 }

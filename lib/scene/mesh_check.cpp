@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "scene/components.hpp"
 #include "scene/edges.hpp"
 #include "scene/parity_sets.hpp"
 #include "scene/vector.hpp"
@@ -79,18 +80,6 @@ void count_edges(Mesh &mesh, const std::vector<EdgeSide> &sides) {
   mesh.info.closed = !sides.empty() && mesh.info.boundary_edges == 0 && mesh.info.nonmanifold_edges == 0;
 }
 
-// Triangles that share an edge, of any kind. Triangles without edges belong to none.
-void count_components(Mesh &mesh, const std::vector<uint32_t> &corners, const std::vector<EdgeSide> &sides) {
-  ParitySets sets(triangle_count(mesh));
-  for_each_edge(sides, [&](const EdgeSide *first, const EdgeSide *last) {
-    for (const EdgeSide *side = first + 1; side != last; ++side)
-      sets.join(first->triangle, side->triangle, 0);
-  });
-  mesh.info.components = 0;
-  for (uint32_t i = 0; i < triangle_count(mesh); i++)
-    mesh.info.components += distinct(&corners[3 * size_t(i)]) && sets.find(i).root == i;
-}
-
 // Makes neighbours agree over edges with two triangles; in each patch the majority wins, and the lowest triangle at a
 // tie. A patch that cannot be oriented (a Moebius strip) stays as it is.
 void make_consistent(Mesh &mesh, const std::vector<EdgeSide> &sides) {
@@ -105,7 +94,6 @@ void make_consistent(Mesh &mesh, const std::vector<EdgeSide> &sides) {
     const ParitySets::Place place = sets.find(i);
     balance[place.root] += place.parity ? -1 : 1;
   }
-  mesh.info.turned_triangles = 0;
   for (uint32_t i = 0; i < triangle_count(mesh); i++) {
     const ParitySets::Place place = sets.find(i);
     const uint32_t wrong = balance[place.root] >= 0 ? 1 : 0;
@@ -116,13 +104,13 @@ void make_consistent(Mesh &mesh, const std::vector<EdgeSide> &sides) {
   }
 }
 
-// Normals should be on the side that the triangles around them face.
-void turn_inward_normals(Mesh &mesh) {
+// Normals should be on the side that the triangles around them face. Only normals of the given triangles change.
+void turn_inward_normals(Mesh &mesh, const std::vector<uint32_t> &triangles) {
   std::vector<int32_t> votes(mesh.normals.size(), 0);
-  for (uint32_t i = 0; i < triangle_count(mesh) && !votes.empty(); i++) {
-    const Double3 n = area_vector(mesh, i);
+  for (size_t i = 0; i < triangles.size() && !votes.empty(); i++) {
+    const Double3 n = area_vector(mesh, triangles[i]);
     for (size_t k = 0; k < 3; k++) {
-      const uint32_t vertex = mesh.indices[3 * size_t(i) + k];
+      const uint32_t vertex = mesh.indices[3 * size_t(triangles[i]) + k];
       const double agreement = dot(n, to_double(mesh.normals[vertex]));
       votes[vertex] += (agreement > 0) - (agreement < 0);
     }
@@ -132,16 +120,24 @@ void turn_inward_normals(Mesh &mesh) {
       mesh.normals[i] = {-mesh.normals[i].x, -mesh.normals[i].y, -mesh.normals[i].z};
 }
 
-// A closed mesh whose volume is negative is inside out.
-void make_outward(Mesh &mesh) {
-  mesh.info.inverted_components = 0;
-  if (!mesh.info.closed || !(mesh.info.volume < 0))
+// A closed component is inside out if its volume is negative and nothing is around it: inside another, it is a cavity.
+// What lies inside one that is turned then alternates: a cavity faces inwards, an island in it outwards.
+void make_outward(Mesh &mesh, const std::vector<Component> &components) {
+  auto inverted = [](const Component &component) { return component.closed && component.volume < 0; };
+  if (std::none_of(components.begin(), components.end(), inverted))
     return;
-  for (uint32_t i = 0; i < triangle_count(mesh); i++)
-    turn(mesh, i);
-  turn_inward_normals(mesh);
-  mesh.info.volume = -mesh.info.volume;
-  mesh.info.inverted_components = mesh.info.components;
+  const std::vector<Nesting> nesting = find_nesting(mesh, components);
+  std::vector<uint32_t> triangles;
+  for (size_t i = 0; i < components.size(); i++) {
+    const bool outwards = nesting[i].depth % 2 == 0;
+    if (!inverted(components[nesting[i].outermost]) || inverted(components[i]) != outwards)
+      continue;
+    triangles.insert(triangles.end(), components[i].triangles.begin(), components[i].triangles.end());
+    mesh.info.inverted_components++;
+  }
+  for (uint32_t triangle : triangles)
+    turn(mesh, triangle);
+  turn_inward_normals(mesh, triangles);
 }
 
 } // namespace
@@ -162,11 +158,18 @@ void check_mesh(Mesh &mesh) {
   count_degenerate(mesh, corners);
   count_duplicates(mesh, corners);
   count_edges(mesh, sides);
-  count_components(mesh, corners, sides);
-  make_consistent(mesh, sides);
+  // Where nothing is inside, the caller's winding says which side is the front: a room faces inwards.
+  const bool filled = mesh.medium != TYN_NONE;
+  if (filled)
+    make_consistent(mesh, sides);
+  const std::vector<Component> components = find_components(mesh, corners, sides);
+  mesh.info.components = uint32_t(components.size());
+  if (filled)
+    make_outward(mesh, components);
   measure_bounds(mesh);
   measure_size(mesh);
-  make_outward(mesh);
+  if (!filled)
+    mesh.info.volume = std::abs(mesh.info.volume);
 }
 
 } // namespace tyn

@@ -7,9 +7,9 @@
 
 namespace tyn {
 
-// Fills in mesh.info (but for name, medium and material), and turns triangles (exchanges their second and third
-// vertex) so that neighbours agree and a closed mesh encloses a positive volume. Normals that point inwards are
-// turned with it.
+// Fills in mesh.info (but for name, medium and material). Of a mesh with a medium, it also turns triangles (exchanges
+// their second and third vertex) so that neighbours agree and closed components face outwards, and cavities inside them
+// inwards. Normals that point the other way are turned with a component.
 void check_mesh(Mesh &mesh);
 
 } // namespace tyn

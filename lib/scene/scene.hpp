@@ -24,7 +24,7 @@ struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;       // empty, or one a vertex, unit length
   std::vector<Vec2> uvs;           // empty, or one a vertex
-  std::vector<uint32_t> indices;   // 3 a triangle, turned outwards
+  std::vector<uint32_t> indices;   // 3 a triangle; turned outwards if there is a medium
   std::vector<uint32_t> materials; // one a triangle; TYN_NONE: default material
   std::vector<uint8_t> turned;     // one a triangle: 1 if its second and third index were exchanged
   uint32_t medium = TYN_NONE;

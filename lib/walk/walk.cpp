@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "scene/argument.hpp"
+#include "scene/buffer_argument.hpp"
 #include "tyndall/tyndall_cl.h"
 #include "walk/walk.hpp"
 
@@ -56,22 +56,13 @@ void walk_on_host(TynScene &scene, const TynWalkOptions &options, const TynWalkE
     options.progress(options.user, 1.0);
 }
 
-void require_buffer(const char *name, cl_mem buffer, size_t bytes) {
-  require_pointer(name, buffer);
-  size_t size = 0;
-  if (clGetMemObjectInfo(buffer, CL_MEM_SIZE, sizeof size, &size, nullptr) != CL_SUCCESS)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s is not a valid cl_mem", name);
-  if (size < bytes)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s holds %zu bytes; %zu are needed", name, size, bytes);
-}
-
 void walk_on_device(TynScene &scene, const TynWalkOptions &options, cl_mem entries, size_t count, cl_mem exits,
                     TynLedger *ledger) {
   if (count > UINT32_MAX)
     fail(TYN_ERROR_INVALID_ARGUMENT, "count is %zu; it must be at most %u", count, UINT32_MAX);
-  require_buffer("entries", entries, count * sizeof(TynWalkEntry));
-  require_buffer("exits", exits, count * sizeof(TynWalkExit));
   TynContext &context = scene.context;
+  require_buffer(context, "entries", entries, count, sizeof(TynWalkEntry));
+  require_buffer(context, "exits", exits, count, sizeof(TynWalkExit));
   TynWalkParameters parameters = walk_parameters(scene, options);
   parameters.callers_winding = 1;
   parameters.count = static_cast<uint32_t>(count);

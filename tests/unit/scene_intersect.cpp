@@ -128,7 +128,10 @@ TEST(Intersect, BarycentricCoordinatesBelongToTheCallersWinding) {
   const MeshData data = with_flipped(bumpy_sphere(3, 0.2f), 3);
   Context context;
   Scene scene(context);
-  scene.add(data);
+  const TynMedium medium = tyn_medium(); // without one, nothing is turned
+  ASSERT_EQ(tyn_scene_add_medium(scene, &medium, nullptr), TYN_OK);
+  scene.add(data, 0);
+  EXPECT_GT(scene.info(0).turned_triangles, 100u);
   scene.commit();
   const std::vector<TynRay> rays = random_rays(2000);
   std::vector<TynHit> hits(rays.size());
@@ -257,6 +260,25 @@ TEST(IntersectOnBuffers, GivesTheSameBitsAsOnHostPointers) {
   clReleaseMemObject(ray_buffer);
   clReleaseMemObject(hit_buffer);
   clReleaseMemObject(any_buffer);
+}
+
+TEST(IntersectOnBuffers, RefusesBuffersOfAnotherContext) {
+  Context context, other;
+  Scene scene(context);
+  scene.add(cube());
+  scene.commit();
+  cl_context own_cl = nullptr, other_cl = nullptr;
+  ASSERT_EQ(tyn_context_cl(context, &own_cl, nullptr, nullptr), TYN_OK);
+  ASSERT_EQ(tyn_context_cl(other, &other_cl, nullptr, nullptr), TYN_OK);
+  ASSERT_NE(own_cl, other_cl);
+  cl_mem own = clCreateBuffer(own_cl, CL_MEM_READ_WRITE, 1024, nullptr, nullptr);
+  cl_mem foreign = clCreateBuffer(other_cl, CL_MEM_READ_WRITE, 1024, nullptr, nullptr);
+  EXPECT_EQ(tyn_intersect_cl(scene, 0, foreign, 1, own), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(scene.message().find("rays belongs to another cl_context"), std::string::npos) << scene.message();
+  EXPECT_EQ(tyn_occluded_cl(scene, 0, own, 1, foreign), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(scene.message().find("occluded belongs to another cl_context"), std::string::npos) << scene.message();
+  clReleaseMemObject(foreign);
+  clReleaseMemObject(own);
 }
 
 } // namespace

@@ -12,8 +12,10 @@ using namespace tyn_test;
 
 namespace {
 
-tyn::Mesh checked(const MeshData &data) {
+// With a medium inside, unless told otherwise.
+tyn::Mesh checked(const MeshData &data, uint32_t medium = 0) {
   tyn::Mesh mesh;
+  mesh.medium = medium;
   for (size_t i = 0; i < data.positions.size(); i += 3)
     mesh.positions.push_back({data.positions[i], data.positions[i + 1], data.positions[i + 2]});
   for (size_t i = 0; i < data.normals.size(); i += 3)
@@ -166,6 +168,100 @@ TEST(MeshCheck, TurnsAllComponentsOfAnInsideOutHollowSphere) {
   const tyn::Mesh mesh = checked(inverted(hollow_sphere(2, 1, 0.5f)));
   EXPECT_EQ(mesh.info.inverted_components, 2u);
   EXPECT_EQ(mesh.indices, hollow_sphere(2, 1, 0.5f).indices);
+}
+
+MeshData with(MeshData mesh, const MeshData &other) {
+  mesh.append(other);
+  return mesh;
+}
+
+TEST(MeshCheck, TurnsAnInsideOutComponentBesideALargerGoodOne) {
+  const MeshData small = translated(scaled(cube(), 0.25f), 3, 0, 0);
+  const tyn::Mesh mesh = checked(with(cube(), inverted(small)));
+  EXPECT_EQ(mesh.info.components, 2u);
+  EXPECT_EQ(mesh.info.inverted_components, 1u);
+  EXPECT_EQ(mesh.info.turned_triangles, 0u);
+  EXPECT_EQ(mesh.indices, with(cube(), small).indices);
+  EXPECT_NEAR(mesh.info.volume, 8.125, 1e-12);
+  EXPECT_EQ(mesh.turned[11], 0u);
+  EXPECT_EQ(mesh.turned[12], 1u);
+}
+
+TEST(MeshCheck, TurnsOnlyTheNormalsOfTheInsideOutComponent) {
+  const MeshData away = translated(icosphere(1), 3, 0, 0);
+  MeshData data = with(inverted(icosphere(1)), away); // and the other's normals point inwards, which is its own affair
+  for (size_t i = icosphere(1).normals.size(); i < data.normals.size(); i++)
+    data.normals[i] = -data.normals[i];
+  const tyn::Mesh mesh = checked(data);
+  EXPECT_EQ(mesh.info.inverted_components, 1u);
+  const size_t count = icosphere(1).vertex_count();
+  EXPECT_EQ(mesh.normals[3].y, icosphere(1).normals[10]);
+  EXPECT_EQ(mesh.normals[count + 3].y, -away.normals[10]);
+}
+
+TEST(MeshCheck, WhatIsOnlyInsideTheBoxOfAnotherIsNoCavity) {
+  const MeshData ring = without_normals(torus(1, 0.3f, 48, 24)), small = scaled(cube(), 0.1f);
+  const tyn::Mesh in_the_hole = checked(with(ring, inverted(small)));
+  EXPECT_EQ(in_the_hole.info.inverted_components, 1u);
+  EXPECT_EQ(in_the_hole.indices, with(ring, small).indices);
+  const MeshData cavity = with(ring, inverted(translated(small, 1, 0, 0)));
+  EXPECT_EQ(checked(cavity).info.inverted_components, 0u);
+  EXPECT_EQ(checked(cavity).indices, cavity.indices);
+}
+
+TEST(MeshCheck, ACavityStaysAlsoWhereItComesFirstOrItsShellIsTurned) {
+  const MeshData outer = icosphere(2), cavity = inverted(icosphere(2, 0.5f));
+  EXPECT_EQ(checked(with(cavity, outer)).info.inverted_components, 0u);
+  const tyn::Mesh mesh = checked(with(inverted(outer), cavity));
+  EXPECT_EQ(mesh.info.inverted_components, 1u);
+  EXPECT_EQ(mesh.indices, with(outer, cavity).indices);
+}
+
+TEST(MeshCheck, TurnsNestedShellsThatAreInsideOutTogether) {
+  const MeshData good =
+      with(without_normals(hollow_sphere(2, 1, 0.5f)), translated(scaled(cube(), 0.125f), 0.1f, 0, 0));
+  const tyn::Mesh mesh = checked(with(inverted(good), translated(cube(), 4, 0, 0)));
+  EXPECT_EQ(mesh.info.components, 4u);
+  EXPECT_EQ(mesh.info.inverted_components, 3u);
+  EXPECT_EQ(mesh.indices, with(good, cube()).indices);
+  EXPECT_EQ(checked(good).info.inverted_components, 0u);
+  EXPECT_EQ(checked(good).indices, good.indices);
+}
+
+TEST(MeshCheck, AnOpenComponentDoesNotKeepOthersFromBeingTurned) {
+  const MeshData sphere = without_normals(icosphere(2)),
+                 open = without_normals(translated(open_hemisphere(2), 4, 0, 0));
+  const tyn::Mesh mesh = checked(with(inverted(sphere), inverted(open)));
+  EXPECT_EQ(mesh.info.closed, 0u);
+  EXPECT_EQ(mesh.info.inverted_components, 1u);
+  EXPECT_EQ(mesh.indices, with(sphere, inverted(open)).indices);
+}
+
+TEST(MeshCheck, LooksThroughThousandsOfComponents) {
+  MeshData many;
+  for (int i = 0; i < 8000; i++)
+    many.append(inverted(translated(tetrahedron(), 2 * float(i % 20), 2 * float(i / 20 % 20), 2 * float(i / 400))));
+  const TynMeshInfo info = checked(many).info;
+  EXPECT_EQ(info.components, 8000u);
+  EXPECT_EQ(info.inverted_components, 8000u);
+  EXPECT_NEAR(info.volume, 8000.0 / 6, 1e-3);
+}
+
+TEST(MeshCheck, WithoutAMediumTheWindingIsTheCallers) {
+  const MeshData dome = inverted(icosphere(2)), mixed = with_flipped(icosphere(2), 3);
+  for (const MeshData &data : {dome, mixed}) {
+    const tyn::Mesh mesh = checked(data, TYN_NONE);
+    EXPECT_EQ(mesh.indices, data.indices);
+    EXPECT_EQ(mesh.normals[5].y, data.normals[16]);
+    EXPECT_EQ(mesh.turned, std::vector<uint8_t>(data.triangle_count(), 0));
+    EXPECT_EQ(mesh.info.inverted_components, 0u);
+    EXPECT_EQ(mesh.info.turned_triangles, 0u);
+    EXPECT_EQ(mesh.info.components, 1u);
+    EXPECT_EQ(mesh.info.closed, 1u);
+    EXPECT_NEAR(mesh.info.area, data.area(), 1e-9);
+  }
+  EXPECT_NEAR(checked(dome, TYN_NONE).info.volume, icosphere(2).volume(), 1e-6);
+  EXPECT_GT(checked(inverted(open_hemisphere(2)), TYN_NONE).info.boundary_edges, 0u);
 }
 
 TEST(MeshCheck, LeavesASurfaceAloneThatCannotBeOriented) {

@@ -125,6 +125,22 @@ TEST_F(WalkArguments, BuffersThatAreTooSmallAreRefused) {
   clReleaseMemObject(buffer);
 }
 
+TEST_F(WalkArguments, BuffersOfAnotherContextAreRefused) {
+  const ContextHandle other = make_context();
+  cl_context own_cl, other_cl;
+  ASSERT_EQ(tyn_context_cl(shared_context(), &own_cl, nullptr, nullptr), TYN_OK);
+  ASSERT_EQ(tyn_context_cl(other.get(), &other_cl, nullptr, nullptr), TYN_OK);
+  ASSERT_NE(own_cl, other_cl);
+  cl_mem own = clCreateBuffer(own_cl, CL_MEM_READ_WRITE, 5 * sizeof(TynWalkEntry), nullptr, nullptr);
+  cl_mem foreign = clCreateBuffer(other_cl, CL_MEM_READ_WRITE, 5 * sizeof(TynWalkEntry), nullptr, nullptr);
+  EXPECT_EQ(tyn_walk_cl(scene.get(), nullptr, foreign, 5, own, nullptr), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(message().find("entries belongs to another cl_context"), std::string::npos) << message();
+  EXPECT_EQ(tyn_walk_cl(scene.get(), nullptr, own, 5, foreign, nullptr), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(message().find("exits belongs to another cl_context"), std::string::npos) << message();
+  clReleaseMemObject(foreign);
+  clReleaseMemObject(own);
+}
+
 // Their contents are not checked on the host: the kernel ends such walks as lost, and the ledger says so.
 TEST_F(WalkArguments, BadIndicesInBuffersEndAsLost) {
   cl_context cl;
