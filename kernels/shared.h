@@ -31,7 +31,7 @@ typedef struct TynTriangleBlock {
 // ---- Geometry ---------------------------------------------------------------------------------------------------------
 // Vertices and triangles of all meshes, one after the other.
 typedef struct TynTriangleRecord {
-  uint32_t vertex[3]; // scene-wide; in outward winding
+  uint32_t vertex[3]; // scene-wide; in outward winding if the mesh holds a medium, else the caller's
   uint32_t mesh;
   uint32_t material; // TYN_NONE never: the host resolves the default
 } TynTriangleRecord; // 20 bytes

@@ -144,8 +144,11 @@ TEST_F(BadMesh, OnlyZeroAreaTrianglesRenderAsNothing) {
 }
 
 TEST_F(BadMesh, OpenInsideOutAndNonManifoldMeshesAreReportedNotRefused) {
+  TynMedium medium = tyn_medium();
+  uint32_t inside = TYN_NONE;
+  ASSERT_EQ(tyn_scene_add_medium(scene, &medium, &inside), TYN_OK) << scene.message();
   scene.add(open_hemisphere(2));
-  scene.add(inverted(cube()));
+  scene.add(inverted(cube()), inside); // without a medium a mesh keeps its winding
   scene.add(three_fins());
   scene.add(mobius_strip(8));
   scene.commit();

@@ -37,8 +37,11 @@ class Info(ToolTest):
 
     def test_turned_triangles_are_counted(self):
         turned = [t if i else t[::-1] for i, t in enumerate(CUBE_TRIANGLES)]
-        mesh, = self.report(self.write("turned.glb", cube(triangles=turned)))["mesh_list"]
+        model = self.write("turned.glb", cube(triangles=turned))
+        mesh, = self.report(model, "--medium", "skin1")["mesh_list"]
         self.assertEqual((mesh["closed"], mesh["turned_triangles"]), (True, 1))
+        mesh, = self.report(model)["mesh_list"]  # without a medium the winding is the file's
+        self.assertEqual((mesh["closed"], mesh["turned_triangles"]), (True, 0))
 
     def test_a_medium_can_be_tried(self):
         model = self.write("cube.glb", cube())

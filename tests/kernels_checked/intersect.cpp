@@ -9,7 +9,10 @@ namespace {
 TEST(KernelsChecked, IntersectAndOccluded) {
   Context context;
   Scene scene(context);
-  scene.add(with_flipped(icosphere(0), 3));
+  TynMedium medium = tyn_medium();
+  uint32_t inside = TYN_NONE;
+  ASSERT_EQ(tyn_scene_add_medium(scene, &medium, &inside), TYN_OK) << context.message();
+  scene.add(with_flipped(icosphere(0), 3), inside);
   scene.add(translated(cube(), 3, 0, 0));
   scene.commit();
   std::vector<TynRay> rays; // a count that is no multiple of anything
