@@ -12,16 +12,18 @@ say() { printf '== %s\n' "$*"; }
 TYNDALL_SCRIPT=run.sh bash samples/packages.sh tests
 
 jobs=$(nproc)
-# build PRESET: the log is shown when it fails
+# build PRESET [TARGET...]: the log is shown when it fails
 build() {
-  local log=build/$1.log fresh=
+  local preset=$1 log=build/$1.log fresh=
+  shift
   mkdir -p build
-  say "build $1"
+  say "build $preset"
   # a tree made by another generator, or for a checkout that stood elsewhere, starts again
-  if [ ! -f "build/$1/build.ninja" ] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$1/CMakeCache.txt"; then
+  if [ ! -f "build/$preset/build.ninja" ] ||
+    ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$preset/CMakeCache.txt"; then
     fresh=--fresh
   fi
-  { cmake $fresh --preset "$1" -G Ninja && cmake --build "build/$1" -j "$jobs"; } >"$log" 2>&1 ||
+  { cmake $fresh --preset "$preset" -G Ninja && cmake --build "build/$preset" -j "$jobs" ${1:+--target "$@"}; } >"$log" 2>&1 ||
     { grep -E 'error|Error|FAILED' "$log" | head -n 5 || true; tail -n 60 "$log"; return 1; }
   grep -E '^-- .*(left out|disabled)' "$log" || true
 }
@@ -40,13 +42,21 @@ if [ $# -gt 0 ]; then
 fi
 
 # Both suites run even if the first fails; the summaries stand together at the end.
+rm -f build/*-tests.log
 result=0
 suite ci 2>&1 | tee build/ci-tests.log || result=1
-{ build asan && suite asan -L '^(unit|bad-input)$' 2>&1 | tee build/asan-tests.log; } || result=1
+{ build asan test-unit test-bad_input minimal && suite asan -L '^(unit|bad-input)$' 2>&1 | tee build/asan-tests.log; } ||
+  result=1
 
-# The lines from ctest's verdict on, labels' times left out.
-summary() { sed -n '/% tests passed/,$p' "build/$1-tests.log" 2>/dev/null | grep -vE '^$|^Label Time|sec\*proc' || true; }
-say "with sanitizers"
+# summary PRESET: ctest's verdict, without the times of the labels
+summary() {
+  if [ -f "build/$1-tests.log" ]; then
+    sed -n '/% tests passed/,$p' "build/$1-tests.log" | grep -vE '^$|^Label Time|sec\*proc' || true
+  else
+    echo "not built"
+  fi
+}
+say "unit and bad-input with sanitizers"
 summary asan
 say "the whole suite"
 summary ci

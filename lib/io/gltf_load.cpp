@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // tyn_gltf_load: everything is read and checked before the first thing is added.
+#include <cinttypes>
+
 #include "io/gltf_scene.hpp"
 
 namespace tyn::io {
@@ -99,12 +101,42 @@ void add_all(TynScene *scene, LoadedScene &loaded, Warnings &warnings) {
   }
 }
 
+// The scene's limits hold for everything in it: what it has already counts.
+void check_counts(TynScene *scene, const LoadedScene &loaded) {
+  constexpr uint64_t MOST_TRIANGLES = (1u << 27) - 2, MOST_VERTICES = 1u << 30; // as in scene/mesh_input.cpp
+  TynSceneInfo info;
+  info.size = sizeof info;
+  require_ok(tyn_scene_context(scene), tyn_scene_info(scene, &info));
+  uint64_t triangles = info.triangle_count, vertices = 0;
+  for (uint32_t i = 0; i < info.mesh_count; i++) {
+    TynMeshInfo mesh;
+    mesh.size = sizeof mesh;
+    require_ok(tyn_scene_context(scene), tyn_scene_mesh_info(scene, i, &mesh));
+    vertices += mesh.vertex_count;
+  }
+  for (const LoadedMesh &mesh : loaded.meshes) {
+    triangles += mesh.indices.size() / 3;
+    vertices += mesh.positions.size() / 3;
+  }
+  if (triangles > MOST_TRIANGLES || vertices > MOST_VERTICES)
+    fail(TYN_ERROR_FORMAT,
+         "with its meshes the scene would have %" PRIu64 " triangles and %" PRIu64 " vertices; at most %" PRIu64
+         " and %" PRIu64,
+         triangles, vertices, MOST_TRIANGLES, MOST_VERTICES);
+}
+
 void check_scene(TynScene *scene) {
   TynSceneInfo info;
   info.size = sizeof info;
   require_ok(tyn_scene_context(scene), tyn_scene_info(scene, &info));
   if (info.metres_per_unit != 1)
     fail(TYN_ERROR_INVALID_ARGUMENT, "the scene's metres_per_unit is %g; glTF needs 1", info.metres_per_unit);
+}
+
+// Every message about a file names it once.
+Failure naming(const char *path, TynStatus status, const std::string &message) {
+  const bool named = message.find(printable(path)) != std::string::npos;
+  return Failure(status, named ? message : printable(path) + ": " + message);
 }
 
 void load(TynScene *scene, const char *path, const TynGltfOptions *given) {
@@ -116,14 +148,20 @@ void load(TynScene *scene, const char *path, const TynGltfOptions *given) {
   LoadedScene loaded;
   try {
     loaded = read_gltf(path, options, warnings);
+    check_counts(scene, loaded);
   } catch (const Failure &failure) {
-    // Every message names the file once.
-    const std::string message = failure.what();
-    const bool named =
-        message.find(printable(path)) != std::string::npos || failure.status == TYN_ERROR_INVALID_ARGUMENT;
-    throw Failure(failure.status, named ? message : printable(path) + ": " + message);
+    if (failure.status == TYN_ERROR_INVALID_ARGUMENT) // is about the options
+      throw;
+    throw naming(path, failure.status, failure.what());
   }
-  add_all(scene, loaded, warnings);
+  try {
+    add_all(scene, loaded, warnings);
+  } catch (const Failure &failure) {
+    // The arguments come from the file, and so does what is wrong with them.
+    if (failure.status != TYN_ERROR_INVALID_ARGUMENT)
+      throw;
+    throw naming(path, TYN_ERROR_FORMAT, failure.what());
+  }
 }
 
 } // namespace

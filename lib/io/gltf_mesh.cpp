@@ -10,6 +10,8 @@ namespace {
 
 // So many elements an accessor may always have, however few triangles are asked for.
 constexpr uint64_t MOST_SMALL_ELEMENTS = 1 << 20;
+// The largest |coordinate| that tyn_scene_add_mesh takes.
+constexpr float LARGEST_COORDINATE = 1e10f;
 
 Vector vector_at(const std::vector<float> &values, size_t index) {
   return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
@@ -31,9 +33,9 @@ void append_positions(const Triangles &triangles, const Affine &world, std::vect
     const Vector p = world.point(vector_at(triangles.positions, i));
     for (const double component : p) {
       to.push_back(float(component));
-      if (!std::isfinite(to.back()))
-        fail(TYN_ERROR_FORMAT, "%s: vertex %zu lies at %g %g %g in world space, too far out for single precision",
-             where.c_str(), i, p[0], p[1], p[2]);
+      if (!(std::abs(to.back()) <= LARGEST_COORDINATE)) // a NaN fails
+        fail(TYN_ERROR_FORMAT, "%s: vertex %zu lies at %g %g %g in world space, too far out: coordinates reach to %g",
+             where.c_str(), i, p[0], p[1], p[2], double(LARGEST_COORDINATE));
     }
   }
 }

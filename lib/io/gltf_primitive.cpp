@@ -144,7 +144,13 @@ Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const
   all.indices = assemble(vertices, primitive.mode);
   if (all.indices.empty())
     warnings.add("%s has no triangles", where.c_str());
-  return compacted(all);
+  Triangles used = compacted(all);
+  if (used.vertex_count() >= 3 || all.indices.empty())
+    return used;
+  // Such a primitive shows nothing, and a mesh of it alone would be refused by the scene.
+  warnings.add("%s has only triangles that repeat a vertex (they use %zu in all) and is ignored", where.c_str(),
+               used.vertex_count());
+  return {};
 }
 
 void add_flat_normals(Triangles &triangles) {

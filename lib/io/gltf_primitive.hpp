@@ -17,7 +17,7 @@ struct Triangles {
   size_t triangle_count() const { return indices.size() / 3; }
 };
 
-// Reads a primitive: lists, strips and fans, indexed or not. Points and lines give no triangles and a warning. `uv_set`: which
+// Reads a primitive: lists, strips and fans, indexed or not. Points, lines and triangles that use fewer than three vertices in all give no triangles and a warning. `uv_set`: which
 // TEXCOORD_n. Throws FORMAT.
 Triangles read_primitive(GltfDocument &document, GltfAccessors &accessors, const tinygltf::Primitive &primitive,
                          int uv_set, const std::string &where, Warnings &warnings);

@@ -3,9 +3,11 @@
 #include "io/output_file.hpp"
 
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <random>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,6 +26,23 @@ std::string resolved(const std::string &path) {
   return result;
 }
 
+// Creates a file of a name of its own beside `target`, which `temporary` gets: like mkstemp, but with the mode that the umask
+// leaves of 0666. (A process cannot ask for its umask without changing it for all threads.)
+int create_beside(const std::string &target, std::string &temporary) {
+  const size_t slash = target.rfind('/'), start = slash == std::string::npos ? 0 : slash + 1;
+  const std::string name = target.substr(start, NAME_MAX - std::strlen("..XXXXXX"));
+  std::random_device random;
+  int descriptor = -1;
+  for (int attempt = 0; attempt < 100 && descriptor < 0; attempt++) {
+    temporary = target.substr(0, start) + text(".%s.%06x", name.c_str(), random() & 0xffffffu);
+    // O_EXCL also refuses a link that someone else puts there.
+    descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST)
+      break;
+  }
+  return descriptor;
+}
+
 } // namespace
 
 OutputFile::OutputFile(const std::string &path) : given(path), target(resolved(path)) {
@@ -34,13 +53,7 @@ OutputFile::OutputFile(const std::string &path) : given(path), target(resolved(p
     fail(TYN_ERROR_FILE, "cannot write \"%s\": %s", printable(given).c_str(),
          path.empty() ? "the name is empty" : std::strerror(errno));
   const bool direct = exists && !S_ISREG(info.st_mode);
-  if (!direct)
-    temporary = target + ".part";
-  // A file left by a crash is removed first; O_EXCL then refuses a link that someone else puts there.
-  if (!direct)
-    unlink(temporary.c_str());
-  const int flags = direct ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
-  const int descriptor = open(direct ? target.c_str() : temporary.c_str(), flags, 0666);
+  const int descriptor = direct ? open(target.c_str(), O_WRONLY | O_CLOEXEC) : create_beside(target, temporary);
   if (descriptor >= 0)
     file = fdopen(descriptor, "wb");
   if (!file) {

@@ -9,8 +9,9 @@
 
 namespace tyn::io {
 
-// Writes to PATH.part, which commit() flushes to the disk and renames to PATH. Without commit() the destructor removes it, so a
-// full disk or a crash leaves whatever was there before. A device such as /dev/null is written to directly.
+// Writes to a new file .NAME.XXXXXX beside PATH, which commit() flushes to the disk and renames to PATH. Without commit() the
+// destructor removes it, so a full disk or a crash leaves whatever was there before, and of two writers the last one to commit
+// wins. A device such as /dev/null is written to directly.
 // Every member throws FILE with one line on failure.
 class OutputFile {
 public:

@@ -204,6 +204,36 @@ TEST(BadGltf, PositionThatIsNotFiniteIsNamed) {
   expect_format(changed("/nodes/0/translation", {1e308, 1e308, 1e308}), "too far out");
 }
 
+TEST(BadGltf, PositionBeyondTheScenesLimitIsNamed) {
+  expect_format(changed("/nodes/0/translation", {0, 1.1e10, 0}),
+                "meshes[0].primitives[0]: vertex 0 lies at 0 1.1e+10 0");
+  expect_format(changed("/nodes/0/scale", {-2e10, 1, 1}), "coordinates reach to 1e+10");
+  Gltf model = Gltf::tetrahedron();
+  model.primitive()["attributes"]["POSITION"] = model.floats({0, 0, 0, 2e10f, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3");
+  expect_format(model, "too far out");
+  model.json["nodes"][0]["scale"] = {0.5, 1, 1}; // back inside
+  EXPECT_EQ(tyn_test::load(model).status, TYN_OK);
+}
+
+TEST(BadGltf, PrimitiveOfFewerThanThreeVerticesIsIgnored) {
+  Gltf model = Gltf::tetrahedron();
+  nlohmann::json second = model.primitive();
+  for (const std::vector<uint32_t> &indices : {std::vector<uint32_t>{0, 0, 0}, {2, 3, 2, 3, 3, 2}}) {
+    second["indices"] = model.indices(indices);
+    model.json["meshes"][0]["primitives"][1] = second;
+    const Loading loading = tyn_test::load(model);
+    ASSERT_EQ(loading.status, TYN_OK) << loading.message;
+    EXPECT_TRUE(loading.warned("meshes[0].primitives[1] has only triangles that repeat a vertex"));
+    ASSERT_EQ(loading.scene.meshes.size(), 1u);
+    EXPECT_EQ(loading.scene.meshes[0].indices.size(), 12u);
+  }
+  model.json["meshes"][0]["primitives"] = {second};
+  const Loading nothing = tyn_test::load(model);
+  EXPECT_EQ(nothing.status, TYN_OK) << nothing.message;
+  EXPECT_TRUE(nothing.scene.meshes.empty());
+  EXPECT_TRUE(nothing.warned("the scene has no triangles"));
+}
+
 TEST(BadGltf, AttributesOfDifferentLengthsAreRefused) {
   Gltf model = Gltf::tetrahedron();
   model.primitive()["attributes"]["NORMAL"] = model.floats({0, 0, 1}, "VEC3");

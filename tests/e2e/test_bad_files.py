@@ -61,6 +61,16 @@ class BadFiles(ToolTest):
     def test_an_index_out_of_range(self):
         self.check_bad_input(cube(triangles=[(0, 2, 99)]))
 
+    def test_coordinates_beyond_the_scenes_limit(self):
+        self.check_bad_input(cube(half=2e10), "bad.glb", "meshes[0].primitives[0]")
+
+    def test_nothing_but_degenerate_triangles(self):
+        model = self.write("bad.glb", cube(triangles=[(0, 0, 0)]))
+        result = self.render(model)
+        self.check_fails(result, 3, "bad.glb", "no mesh")
+        self.assertFalse(os.path.exists(self.path("out.exr")))
+        self.assertIn("meshes[0].primitives[0]", self.check_succeeds(run("tyndall-info", model)).stderr)
+
     def test_an_environment_that_is_none(self):
         model = self.write("cube.glb", cube())
         out = ("-o", self.path("out.exr"))

@@ -115,6 +115,20 @@ TEST(IoApi, FailedLoadAddsNothingAndNamesTheFile) {
   expect_empty(scene);
 }
 
+TEST(IoApi, WhatASceneRefusesOfAMeshIsFoundBeforeAnythingIsAdded) {
+  const Context context;
+  Scene scene(context);
+  Gltf model = full_model();
+  model.json["nodes"][0]["translation"] = {0, 0, 2e10};
+  EXPECT_EQ(load_into(scene, model), TYN_ERROR_FORMAT);
+  EXPECT_NE(scene.message().find("model.glb: meshes[0].primitives[0]: vertex 0"), std::string::npos) << scene.message();
+  expect_empty(scene);
+  model = full_model();
+  model.primitive()["indices"] = model.indices({0, 0, 0});
+  EXPECT_EQ(load_into(scene, model), TYN_OK) << scene.message();
+  EXPECT_EQ(scene.info().mesh_count, 0u);
+}
+
 TEST(IoApi, WrongArgumentsAreRefused) {
   const Context context;
   Scene scene(context);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -21,6 +22,7 @@
 #include "common/gltf_builder.hpp"
 #include "io/exr_load.hpp"
 #include "io/film.hpp"
+#include "io/output_file.hpp"
 
 using tyn::io::Film;
 using tyn::io::FilmLayer;
@@ -186,13 +188,41 @@ TEST(Exr, SameFilmGivesTheSameBytes) {
   EXPECT_EQ(tyn_test::read_whole(folder.file("a.exr")), tyn_test::read_whole(folder.file("b.exr")));
 }
 
-TEST(Exr, ReplacesAnOlderFileAndWhatACrashLeft) {
+TEST(Exr, ReplacesAnOlderFileAndNoOther) {
   const TemporaryFolder folder;
   folder.write("film.exr", "old");
-  folder.write("film.exr.part", "left over");
+  folder.write("film.exr.part", "the user's");
   tyn::io::write_exr(small_film(), folder.file("film.exr"));
-  EXPECT_EQ(folder.names(), std::vector<std::string>({"film.exr"}));
+  EXPECT_EQ(folder.names(), std::vector<std::string>({"film.exr", "film.exr.part"}));
   EXPECT_GT(tyn_test::read_whole(folder.file("film.exr")).size(), 500u);
+  EXPECT_EQ(tyn_test::read_whole(folder.file("film.exr.part")), "the user's");
+}
+
+TEST(OutputFile, TwoWritersOfOneNameDoNotMix) {
+  const TemporaryFolder folder;
+  {
+    tyn::io::OutputFile first(folder.file("out")), second(folder.file("out")), third(folder.file("out"));
+    first.write("first", 5);
+    second.write("second", 6);
+    third.write("third", 5); // never committed
+    EXPECT_EQ(folder.names().size(), 3u);
+    second.commit();
+    EXPECT_EQ(tyn_test::read_whole(folder.file("out")), "second");
+    first.commit();
+  }
+  EXPECT_EQ(tyn_test::read_whole(folder.file("out")), "first");
+  EXPECT_EQ(folder.names(), std::vector<std::string>({"out"}));
+}
+
+TEST(OutputFile, TakesItsModeFromTheUmaskAndTheLongestName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(std::string(255, 'x'));
+  const mode_t before = umask(027);
+  tyn::io::OutputFile(path).commit();
+  umask(before);
+  struct stat info;
+  ASSERT_EQ(stat(path.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 07777, 0640u);
 }
 
 TEST(Exr, GoesThroughASymbolicLinkAndToADevice) {
