@@ -93,7 +93,7 @@ private:
   void report(double slice_fraction) {
     const double samples = stats_.samples + slice_fraction * slice_;
     ProgressState state;
-    state.samples = static_cast<unsigned>(samples);
+    state.samples = stats_.samples;
     state.sample_goal = arguments_.samples;
     state.error = stats_.error;
     if (arguments_.samples)

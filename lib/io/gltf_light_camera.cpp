@@ -57,7 +57,7 @@ void require_in(double value, double low, double high, const std::string &where,
 }
 
 void set_perspective(const tinygltf::PerspectiveCamera &source, TynCamera &camera, const std::string &where) {
-  require_in(source.yfov, 0, 3.1415, where + ".yfov", "between 0 and pi");
+  require_in(source.yfov, 1e-6, 3.1415, where + ".yfov", "between 0 and pi");
   camera.type = TYN_CAMERA_PERSPECTIVE;
   camera.yfov = float(source.yfov);
   if (source.aspectRatio != 0) // 0: absent
