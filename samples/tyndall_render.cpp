@@ -39,8 +39,8 @@ public:
   RenderLoop(TynRenderer *renderer, const RenderArguments &arguments)
       : renderer_(renderer), arguments_(arguments), progress_(kName, arguments.quiet) {}
 
-  // Returns when a limit is reached or the user has had enough. The target error is the library's to judge, which does so at
-  // sample counts that do not depend on the slices: it adds nothing more once the target is reached.
+  // Returns when a limit is reached or the user has had enough. The target error is the library's to judge, which does so
+  // at sample counts that do not depend on the slices: it adds nothing more once the target is reached.
   void run() {
     uint32_t slice = 1; // the first is never cancelled: whatever happens there is an image
     while (!done()) {
