@@ -49,8 +49,9 @@ if [ ! -f demo/demo.exr ] || [ ! -f demo/demo.png ] || [ "$(cat demo/stamp 2>/de
   say "Rendering"
   left=$((80 - SECONDS))
   [ $# -gt 0 ] || options=(--spp 64 --time-limit $((left > 20 ? left : 20)))
+  [[ " $* " == *" --tone"* ]] || options+=(--tone aces)
   status=0
-  "$build/bin/tyndall-render" demo/demo.glb -o demo/demo.exr --png demo/demo.png --tone aces "${options[@]}" || status=$?
+  "$build/bin/tyndall-render" demo/demo.glb -o demo/demo.exr --png demo/demo.png "${options[@]}" || status=$?
   [ $status = 0 ] || exit $status # tyndall-render has said why
   printf '%s\n' "$stamp" >demo/stamp
 else
