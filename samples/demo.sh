@@ -59,3 +59,4 @@ else
 fi
 say "The image:   $PWD/demo/demo.exr (OpenEXR, all layers)"
 say "To look at:  $PWD/demo/demo.png"
+[ $# -gt 0 ] || say "Less noise:  samples/demo.sh --spp 400"

@@ -98,7 +98,10 @@ int show_devices(bool json) {
   else if (device_count)
     table.print(0);
   if (!device_count)
-    throw Error(kNoDevice, "there is no OpenCL device (Debian's pocl-opencl-icd makes one of the CPU)");
+    throw Error(
+        kNoDevice,
+        "there is no OpenCL device (Debian's pocl-opencl-icd makes one of the CPU; it needs a cache folder that can be "
+        "written: POCL_CACHE_DIR, XDG_CACHE_HOME or HOME)");
   return kOk;
 }
 

@@ -259,9 +259,11 @@ private:
   }
 
   void print_summary() const {
-    std::printf("%s%s: %u x %u, %u samples a pixel in %.1f s, error %.2g %%\n", interrupted() ? "interrupted; " : "",
-                arguments_.exr.c_str(), stats_.width, stats_.height, stats_.samples, stats_.seconds,
-                100.0 * stats_.error);
+    char error[32] = "error unknown"; // one sample says nothing of it
+    if (stats_.samples > 1)
+      std::snprintf(error, sizeof error, "error %.2g %%", 100.0 * stats_.error);
+    std::printf("%s%s: %u x %u, %u samples a pixel in %.1f s, %s\n", interrupted() ? "interrupted; " : "",
+                arguments_.exr.c_str(), stats_.width, stats_.height, stats_.samples, stats_.seconds, error);
     if (!arguments_.png.empty())
       std::printf("%s\n", arguments_.png.c_str());
   }

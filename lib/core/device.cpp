@@ -126,8 +126,10 @@ std::vector<Device> list_devices() {
 
 const Device &choose_device(const std::vector<Device> &devices, const char *wanted) {
   if (devices.empty())
-    fail(TYN_ERROR_NO_DEVICE, "no OpenCL device was found; install an OpenCL driver, e.g. PoCL for the CPU "
-                              "(Debian and Ubuntu: apt install pocl-opencl-icd)");
+    fail(TYN_ERROR_NO_DEVICE,
+         "no OpenCL device was found; install an OpenCL driver, e.g. PoCL for the CPU "
+         "(Debian and Ubuntu: apt install pocl-opencl-icd); PoCL also needs a cache folder that can "
+         "be written (POCL_CACHE_DIR, XDG_CACHE_HOME or HOME)");
   const std::string text = wanted ? wanted : "";
   const size_t index = parse_index(text, devices.size());
   if (index < devices.size())

@@ -8,12 +8,14 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace tool {
 namespace {
 
 constexpr uint32_t kMaxSize = 32768;
 constexpr uint32_t kDefaultSamples = 64;
+constexpr double kMaxExposure = 100.0;
 
 const char *const kAbout =
     R"(Renders a glTF model to OpenEXR, with light walked through the inside of its materials.
@@ -79,7 +81,25 @@ bool has_extension(const std::string &path, const std::string &extension) {
   return end == extension;
 }
 
+// The file that a path leads to, whether it is there or not, through links.
+std::filesystem::path target_of(const std::string &path) {
+  std::error_code ignored;
+  std::filesystem::path target = path;
+  for (int link = 0; link < 8 && std::filesystem::is_symlink(target, ignored); ++link)
+    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(target, ignored), ignored);
+}
+
+// One file must not take the place of another that is read or written.
+void check_distinct(const std::string &output, const std::string &other) {
+  if (!output.empty() && target_of(output) == target_of(other))
+    throw Error(kUsage, output + " is the same file as " + other);
+}
+
 void check_outputs(const RenderArguments &arguments) {
+  check_distinct(arguments.exr, arguments.scene);
+  check_distinct(arguments.png, arguments.scene);
+  check_distinct(arguments.png, arguments.exr);
   if (!has_extension(arguments.exr, ".exr"))
     throw Error(kUsage, "-o " + arguments.exr +
                             ": the image is OpenEXR, so its name ends in .exr "
@@ -112,7 +132,7 @@ void add_image_options(CLI::App &app, RenderArguments &arguments, RawArguments &
   app.add_option("--height", arguments.height, "pixels, 1 to 32768 (by the camera's shape)")
       ->type_name("N")
       ->check(size);
-  app.add_option("--exposure", arguments.exposure, "brightness of the PNG (0)")->type_name("STOPS");
+  app.add_option("--exposure", arguments.exposure, "brightness of the PNG, -100 to 100 (0)")->type_name("STOPS");
   app.add_option("--tone", raw.tone, "tone curve of the PNG: srgb clamps, aces rolls off (srgb)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"srgb", "aces"}));
@@ -138,7 +158,8 @@ void add_quality_options(CLI::App &app, RenderArguments &arguments, RawArguments
       ->check(CLI::Range(1u, 1u << 24));
   app.add_option("--target-error", arguments.target_error, "stop at this mean relative error: 0.01 is 1 %")
       ->type_name("FRACTION");
-  app.add_option("--time-limit", arguments.time_limit, "stop rendering after this time")->type_name("SECONDS");
+  app.add_option("--time-limit", arguments.time_limit, "stop rendering after this time; 0: no limit")
+      ->type_name("SECONDS");
   app.add_option("--seed", arguments.seed, "same seed, same bits on the same device (0)")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
@@ -164,7 +185,8 @@ void finish_arguments(const RawArguments &raw, RenderArguments &arguments) {
   check_outputs(arguments);
   check_number("--target-error", arguments.target_error, 0.0, "a fraction from 0 up");
   check_number("--time-limit", arguments.time_limit, 0.0, "seconds from 0 up");
-  check_number("--exposure", arguments.exposure, -1e3, "a number of stops");
+  if (!(std::abs(arguments.exposure) <= kMaxExposure))
+    throw Error(kUsage, "--exposure: expected -100 to 100 stops");
   check_number("--env-rotation", arguments.environment_rotation, -1e6, "an angle in degrees");
   const bool has_other_limit = arguments.target_error > 0.0 || arguments.time_limit > 0.0;
   if (!arguments.samples && !has_other_limit)
