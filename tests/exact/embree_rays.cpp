@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel's rays against Embree's: the same triangle, or the same distance. Both round differently, so a ray that
 // passes an edge within rounding may see either of its sides; such rays are told apart in double.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>

@@ -3,6 +3,7 @@
 // From inside a closed mesh every ray hits: 1e7 rays in all, none may pass between two triangles. Which points are
 // inside is decided in double, without any ray: by the solid angle that the mesh fills, and the distance to the
 // nearest triangle.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
