@@ -48,7 +48,7 @@ if [ ! -f demo/demo.exr ] || [ ! -f demo/demo.png ] || [ "$(cat demo/stamp 2>/de
   "$build/bin/tyndall-demo-scene" demo/demo.glb || fail "the scene was not made"
   say "Rendering"
   left=$((80 - SECONDS))
-  [ $# -gt 0 ] || options=(--spp 64 --time-limit $((left > 20 ? left : 20)))
+  [ $# -gt 0 ] || options=(--spp 64 --time-limit $((left > 10 ? left : 10)))
   [[ " $* " == *" --tone"* ]] || options+=(--tone aces)
   status=0
   "$build/bin/tyndall-render" demo/demo.glb -o demo/demo.exr --png demo/demo.png "${options[@]}" || status=$?
