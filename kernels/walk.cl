@@ -387,7 +387,7 @@ static LaneInt walk_roulette(Walks *walks, LaneInt mask, float threshold, const 
   LaneInt plays = mask & lane_lt(largest, (LaneFloat)(threshold)) & ~dead;
   if (!lane_any(plays))
     return dead;
-  // the low byte of each word has not been used by the numbers above
+  // the low bytes, which the uniform numbers above leave unused; that of the flight moves its length only where u < 2^-16
   LaneUint bits = (random[0] & 255u) << 24 | (random[1] & 255u) << 16 | (random[2] & 255u) << 8 | (random[3] & 255u);
   LaneInt survives = lane_lt(lane_uniform(bits) * threshold, largest);
   LaneFloat boost = threshold / largest;
