@@ -42,8 +42,10 @@ const KernelSource &find_source(const char *name) {
   fail(TYN_ERROR_INTERNAL, "there is no kernel program \"%s\"", name);
 }
 
-std::string build_options(const TynDeviceInfo &device) {
-  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s", device.lane_width, device.is_gpu ? " -D TYN_GPU=1" : "");
+std::string build_options(const TynDeviceInfo &device, cl_device_id id) {
+  const bool has_fma = device_value<cl_device_fp_config>(id, CL_DEVICE_SINGLE_FP_CONFIG) & CL_FP_FMA;
+  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s%s", device.lane_width, device.is_gpu ? " -D TYN_GPU=1" : "",
+                has_fma ? " -D TYN_FMA=1" : "");
 }
 
 bool is_pocl(cl_device_id device) {

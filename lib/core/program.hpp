@@ -15,7 +15,7 @@ namespace tyn {
 const KernelSource &find_source(const char *name);
 
 // The options that every program is built with.
-std::string build_options(const TynDeviceInfo &device);
+std::string build_options(const TynDeviceInfo &device, cl_device_id id);
 
 // Whether the platform is PoCL: it compiles a kernel when it is first launched with a local size,
 // not when its program is built, and it keeps what it compiled in a disk cache of its own.

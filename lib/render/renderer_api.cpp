@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The renderer's C calls.
 #include "render/renderer.hpp"
-#include "scene/input.hpp"
+#include "core/input.hpp"
 #include "scene/validate.hpp"
 
 namespace {

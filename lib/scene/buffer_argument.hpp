@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/context.hpp"
-#include "scene/argument.hpp"
+#include "core/argument.hpp"
 
 namespace tyn {
 

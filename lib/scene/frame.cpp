@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/argument.hpp"
+#include "core/argument.hpp"
 #include "scene/scene.hpp"
 #include "scene/vector.hpp"
 

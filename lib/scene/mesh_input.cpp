@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "scene/argument.hpp"
+#include "core/argument.hpp"
 #include "scene/mesh_check.hpp"
 #include "scene/vector.hpp"
 

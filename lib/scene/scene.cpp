@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene.hpp"
 
-#include "scene/input.hpp"
+#include "core/input.hpp"
 
 TynScene::TynScene(TynContext &context_) : context(context_), environment(tyn_environment()) {
   for (int k = 0; k < 3; k++)

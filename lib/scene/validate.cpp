@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "scene/argument.hpp"
+#include "core/argument.hpp"
 
 namespace tyn {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "scene/argument.hpp"
-#include "scene/input.hpp"
+#include "core/argument.hpp"
+#include "core/input.hpp"
 #include "walk/walk.hpp"
 
 namespace tyn {

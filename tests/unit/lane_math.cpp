@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/opencl_shim.hpp"
+#include "core/opencl_shim.hpp"
 
 namespace {
 
@@ -106,6 +106,29 @@ TEST(LaneSincos, IsExactAtQuarterTurns) {
     EXPECT_EQ(sine, expected[quarter][0]) << quarter;
     EXPECT_EQ(cosine, expected[quarter][1]) << quarter;
   }
+}
+
+TEST(LaneAcos, KeepsItsBound) {
+  const int steps = 1 << 21;
+  double worst = 0;
+  for (int i = 0; i <= steps; ++i) {
+    float x = static_cast<float>(i) / static_cast<float>(steps);
+    worst = std::max(worst, std::abs(lane_acos(x) - std::acos(static_cast<double>(x))));
+  }
+  EXPECT_LT(worst, 3e-7);
+}
+
+TEST(LaneRotate, TurnsByTheAngleAndKeepsTheLength) {
+  const float directions[5][3] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0.6f, 0, -0.8f}, {0.48f, 0.64f, 0.6f}};
+  for (auto &d : directions)
+    for (float angle = 0; angle < 3.1f; angle += 0.1f)
+      for (float azimuth = 0; azimuth < 6.2f; azimuth += 0.3f) {
+        float x = d[0], y = d[1], z = d[2];
+        lane_rotate(&x, &y, &z, std::cos(angle), std::sin(angle) * std::cos(azimuth),
+                    std::sin(angle) * std::sin(azimuth));
+        EXPECT_NEAR(x * x + y * y + z * z, 1, 3e-7);
+        EXPECT_NEAR(x * d[0] + y * d[1] + z * d[2], std::cos(angle), 3e-7);
+      }
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 #include <Random123/philox.h>
 
-#include "common/opencl_shim.hpp"
+#include "core/opencl_shim.hpp"
 #include "common/statistics.hpp"
 
 namespace {
@@ -39,6 +39,22 @@ TEST(Philox, GivesTheKnownAnswers) {
   expect_philox({ones, ones, ones, ones}, {ones, ones}, {0x408f276du, 0x41c83b0eu, 0xa20bc7c6u, 0x6d5451fdu});
   expect_philox({0x243f6a88u, 0x85a308d3u, 0x13198a2eu, 0x03707344u}, {0xa4093822u, 0x299f31d0u},
                 {0xd16cfe09u, 0x94fdccebu, 0x5001e420u, 0x24126ea1u});
+}
+
+TEST(Philox, WithSevenRoundsAgreesWithRandom123) {
+  std::mt19937 random(4);
+  auto word = [&] { return static_cast<uint>(random()); };
+  r123::Philox4x32_R<7> reference;
+  for (int i = 0; i < 100000; ++i) {
+    LaneUint lanes[4] = {word(), word(), word(), word()};
+    uint2 key = {word(), word()};
+    r123::Philox4x32_R<7>::ctr_type c = {{lanes[0], lanes[1], lanes[2], lanes[3]}};
+    r123::Philox4x32_R<7>::key_type k = {{key.x, key.y}};
+    r123::Philox4x32_R<7>::ctr_type expected = reference(c, k);
+    lane_philox_rounds(lanes, key.x, key.y, 7);
+    for (int w = 0; w < 4; ++w)
+      ASSERT_EQ(lanes[w], expected[static_cast<size_t>(w)]);
+  }
 }
 
 TEST(Philox, AgreesWithRandom123OnAMillionRandomCounters) {

@@ -1,13 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Compiles the kernels' maths headers for the host, one lane wide, as namespace tyn_kernel: so that tests, sanitizers and
-// coverage see the very code that the device runs. Only what those headers use of OpenCL C is here.
+// Compiles the kernels' maths headers for the host, one lane wide, as namespace tyn_kernel: for calls that promise the device's
+// own numbers, and so that tests, sanitizers and coverage see the very code that the device runs. Only what those headers use
+// of OpenCL C is here.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#include "kernels/shared.h" // here, so that its records stay outside the namespace
+
+// As on the devices that matter.
+#define TYN_FMA 1
 
 namespace tyn_kernel {
 
@@ -45,6 +51,7 @@ inline float4 operator-(float4 a, float4 b) { return {a.x - b.x, a.y - b.y, a.z 
 inline float4 operator*(float4 a, float s) { return {a.x * s, a.y * s, a.z * s, a.w * s}; }
 
 // The overloads for float, which the C names would not choose.
+using std::cbrt;
 using std::copysign;
 using std::cos;
 using std::fabs;
@@ -115,7 +122,7 @@ inline float3 tyn_load3(const float *v) { return {v[0], v[1], v[2]}; }
 inline float3 tyn_load3_global(const float *v) { return {v[0], v[1], v[2]}; }
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // no test uses every function of the headers
+#pragma GCC diagnostic ignored "-Wunused-function" // no file uses every function of the headers
 #define TYN_LANES 1
 #define global
 #define constant const
