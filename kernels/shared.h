@@ -52,12 +52,26 @@ typedef struct TynMeshRecord {
   float upper[3]; // bounds, widened by slack
 } TynMeshRecord;  // 48 bytes
 
+// ---- Media ------------------------------------------------------------------------------------------------------------
+// A phase function (tyndall_phase.h). Isotropic ones are Henyey-Greenstein with g = 0 here.
+typedef struct TynPhaseRecord {
+  uint32_t kind; // TYN_PHASE_*, never ISOTROPIC
+  float g, g2;
+  float weight;
+  float alpha;
+  uint32_t table; // TABULATED: offset in the array of tables, in floats; see phase_tabulated.clh
+  uint32_t count; // of entries of the table
+  uint32_t reserved;
+} TynPhaseRecord; // 32 bytes
+
 typedef struct TynMediumRecord {
   float sigma_t[3];
-  float g;
+  float g; // mean cosine, whatever the phase function
   float albedo[3];
   float ior;
-} TynMediumRecord; // 32 bytes
+  uint32_t phase; // index of a TynPhaseRecord, or TYN_NONE: Henyey-Greenstein with g
+  uint32_t reserved[3];
+} TynMediumRecord; // 48 bytes
 
 // ---- Walks ------------------------------------------------------------------------------------------------------------
 typedef struct TynWalkParameters {

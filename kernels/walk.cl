@@ -30,6 +30,8 @@ typedef struct {
   global const TynTriangleBlock *blocks;
   SceneGeometry geometry;
   global const TynMediumRecord *media;
+  global const TynPhaseRecord *phases;
+  global const float *phase_tables;
   global const TynWalkEntry *entries;
   global TynWalkExit *exits;
   global TynWalkTally *tallies;
@@ -49,6 +51,7 @@ typedef struct {
   LaneFloats sigma_t[3];
   LaneFloats albedo[3];
   LaneFloats g;
+  LaneInts other_phase; // mask: the phase function is not Henyey-Greenstein's
   LaneFloats length;
   LaneFloats absorbed[3];
   LaneFloats balance[3];
@@ -56,6 +59,7 @@ typedef struct {
   // used lane by lane
   float reflected[TYN_LANES]; // fraction of the entering weight
   uint mesh[TYN_LANES];
+  uint phase[TYN_LANES];    // TynMediumRecord::phase
   uint triangle[TYN_LANES]; // last one crossed, scene-wide
   float u[TYN_LANES], v[TYN_LANES];
   float ior[TYN_LANES];
@@ -207,6 +211,8 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   walks->mesh[lane] = mesh;
   walks->ior[lane] = medium->ior;
   walks->g.lane[lane] = medium->g;
+  walks->phase[lane] = medium->phase;
+  walks->other_phase.lane[lane] = medium->phase == TYN_NONE ? 0 : -1;
   walk_set_vector(walks->sigma_t, lane,
                   entry->sigma_t[0] >= 0.0f ? tyn_load3_global(entry->sigma_t) : tyn_load3_global(medium->sigma_t));
   walk_set_vector(walks->albedo, lane,
@@ -344,31 +350,44 @@ static void walk_weight_flight(Walks *walks, LaneFloat t, LaneInt at_surface) {
   }
 }
 
-// Turns the direction of the lanes in `mask` by the phase function.
-static void walk_turn(Walks *walks, LaneInt mask, const LaneUint random[4]) {
-  LaneFloat away = lane_hg_one_minus_cos(lane_uniform(random[2]), walks->g.all);
+// Draws 1 - cos of the deflection of the lanes in `mask`: by Henyey and Greenstein's function for all lanes at once, then again
+// with numbers of their own, lane by lane, for those that have another one.
+static LaneFloat walk_sample_away(WalkBuffers buffers, const Walks *walks, LaneInt mask, const LaneUint random[4],
+                                  uint2 key) {
+  LaneFloats away;
+  away.all = lane_hg_one_minus_cos(lane_uniform(random[2]), walks->g.all);
+  LaneInts other;
+  other.all = mask & walks->other_phase.all;
+  if (!lane_any(other.all))
+    return away.all;
+  for (int lane = 0; lane < TYN_LANES; ++lane) {
+    if (!other.lane[lane])
+      continue;
+    uint4 counter =
+        tyn_uint4(walks->path[0].lane[lane], walks->path[1].lane[lane], walks->draw.lane[lane], TYN_DOMAIN_PHASE);
+    away.lane[lane] =
+        tyn_phase_sample_away(buffers.phases[walks->phase[lane]], buffers.phase_tables, tyn_philox(counter, key));
+  }
+  return away.all;
+}
+
+// Turns the direction of the lanes in `mask` by 1 - cos = `away` and a random azimuth.
+static void walk_turn(Walks *walks, LaneInt mask, LaneFloat away, const LaneUint random[4]) {
   LaneFloat cos_theta = 1.0f - away;
   LaneFloat sin_theta = sqrt(fmax((LaneFloat)(0.0f), away * (2.0f - away)));
   LaneFloat sine, cosine;
   lane_sincos_turn(lane_uniform(random[3]), &sine, &cosine);
-  LaneFloat a = sin_theta * cosine, b = sin_theta * sine;
-  // frame around the direction: Duff et al. 2017, as tyn_frame
   LaneFloat x = walks->direction[0].all, y = walks->direction[1].all, z = walks->direction[2].all;
-  LaneFloat sign = lane_choose(lane_lt(z, (LaneFloat)(0.0f)), (LaneFloat)(-1.0f), (LaneFloat)(1.0f));
-  LaneFloat k = -1.0f / (sign + z);
-  LaneFloat m = x * y * k;
-  LaneFloat new_x = a * (1.0f + sign * x * x * k) + b * m + cos_theta * x;
-  LaneFloat new_y = a * (sign * m) + b * (sign + y * y * k) + cos_theta * y;
-  LaneFloat new_z = -a * (sign * x) - b * y + cos_theta * z;
-  // one Newton step keeps the length at 1 over any number of turns
-  LaneFloat fix = 1.5f - 0.5f * (new_x * new_x + new_y * new_y + new_z * new_z);
-  walks->direction[0].all = lane_choose(mask, new_x * fix, x);
-  walks->direction[1].all = lane_choose(mask, new_y * fix, y);
-  walks->direction[2].all = lane_choose(mask, new_z * fix, z);
+  LaneFloat new_x = x, new_y = y, new_z = z;
+  lane_rotate(&new_x, &new_y, &new_z, cos_theta, sin_theta * cosine, sin_theta * sine);
+  walks->direction[0].all = lane_choose(mask, new_x, x);
+  walks->direction[1].all = lane_choose(mask, new_y, y);
+  walks->direction[2].all = lane_choose(mask, new_z, z);
 }
 
 // Scatters the lanes in `mask`: absorbs, turns, counts.
-static void walk_scatter(Walks *walks, LaneInt mask, LaneFloat t, const LaneUint random[4]) {
+static void walk_scatter(WalkBuffers buffers, Walks *walks, LaneInt mask, LaneFloat t, const LaneUint random[4],
+                         uint2 key) {
   for (int c = 0; c < 3; ++c) {
     walks->position[c].all += lane_choose(mask, walks->direction[c].all * t, (LaneFloat)(0.0f));
     LaneFloat kept = walks->weight[c].all * walks->albedo[c].all;
@@ -376,7 +395,7 @@ static void walk_scatter(Walks *walks, LaneInt mask, LaneFloat t, const LaneUint
     walks->weight[c].all = lane_choose(mask, kept, walks->weight[c].all);
   }
   walks->scatterings.all -= lane_as_uint(mask);
-  walk_turn(walks, mask, random);
+  walk_turn(walks, mask, walk_sample_away(buffers, walks, mask, random, key), random);
 }
 
 // Russian roulette on the largest channel: a walk below the threshold survives with probability largest / threshold.
@@ -403,9 +422,9 @@ static LaneInt walk_roulette(Walks *walks, LaneInt mask, float threshold, const 
 kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks,
                        global const TynTriangleRecord *triangles, global const float *positions,
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
-                       global const TynMediumRecord *media, global const TynWalkEntry *entries,
-                       global TynWalkExit *exits, global TynWalkTally *tallies, global const uint *turned,
-                       TynWalkParameters parameters) {
+                       global const TynMediumRecord *media, global const TynPhaseRecord *phases,
+                       global const float *phase_tables, global const TynWalkEntry *entries, global TynWalkExit *exits,
+                       global TynWalkTally *tallies, global const uint *turned, TynWalkParameters parameters) {
   WalkBuffers buffers;
   buffers.nodes = nodes;
   buffers.blocks = blocks;
@@ -415,6 +434,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   buffers.geometry.uvs = uvs;
   buffers.geometry.meshes = meshes;
   buffers.media = media;
+  buffers.phases = phases;
+  buffers.phase_tables = phase_tables;
   buffers.entries = entries;
   buffers.exits = exits;
   buffers.tallies = tallies;
@@ -430,6 +451,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   Walks walks;
   walks.active.all = (LaneInt)(0);
   walks.status.all = (LaneInt)(WALK_RUNNING);
+  walks.other_phase.all = (LaneInt)(0);
   // idle lanes compute with harmless numbers
   walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = (LaneUint)(0u);
   walks.g.all = walks.length.all = (LaneFloat)(0.0f);
@@ -465,7 +487,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
 
     LaneInt scatters = walks.active.all & ~at_surface.all & lane_lt(walks.status.all, (LaneInt)(0));
     if (lane_any(scatters)) {
-      walk_scatter(&walks, scatters, flight.all, random);
+      walk_scatter(buffers, &walks, scatters, flight.all, random, key);
       LaneInts dead;
       dead.all = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
       LaneInts capped;

@@ -73,6 +73,11 @@ TynStatus tyn_medium_preset(const char *name, double metres_per_unit, TynMedium 
   } catch (const tyn::Failure &failure) {
     return failure.status;
   }
-  *medium = result;
+  // A program compiled for the first version has less room. Any other size, and none, is one of today's: the struct is filled in
+  // whole.
+  const bool first_version = medium->size == tyn::first_medium_size;
+  std::memcpy(static_cast<void *>(medium), &result, first_version ? tyn::first_medium_size : sizeof result);
+  if (first_version)
+    medium->size = tyn::first_medium_size;
   return TYN_OK;
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "core/status.hpp"
+#include "core/input.hpp"
 #include "media/media.hpp"
+#include "media/phase.hpp"
 
 namespace tyn {
 namespace {
@@ -14,7 +15,25 @@ void require_coefficient(const char *field, int channel, float value) {
          static_cast<double>(value));
 }
 
+// Says which struct the phase function is in.
+void require_phase(const TynPhase &given) {
+  try {
+    validate(read_struct("TynPhase", &given, tyn_phase()));
+  } catch (const Failure &failure) {
+    fail(failure.status, "TynMedium::phase: %s", failure.what());
+  }
+}
+
 } // namespace
+
+TynMedium read_medium(const TynMedium *given) {
+  require_pointer("TynMedium", given);
+  if (given->size != first_medium_size) // no size in between is a version's
+    require_size("TynMedium", given->size, sizeof(TynMedium), sizeof(TynMedium));
+  const TynMedium medium = read_struct("TynMedium", given, tyn_medium(), first_medium_size);
+  validate(medium);
+  return medium;
+}
 
 void validate(const TynMedium &medium) {
   if (medium.size < sizeof(TynMedium))
@@ -28,7 +47,9 @@ void validate(const TynMedium &medium) {
       fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::sigma_a[%d] + sigma_s[%d] is %g + %g; allowed: a finite sum",
            channel, channel, static_cast<double>(absorption), static_cast<double>(scattering));
   }
-  if (!(medium.g > -1.0f && medium.g < 1.0f))
+  if (medium.phase)
+    require_phase(*medium.phase);
+  else if (!(medium.g > -1.0f && medium.g < 1.0f))
     fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::g is %g; allowed: -1 < g < 1", static_cast<double>(medium.g));
   if (!(medium.ior >= 1.0f && medium.ior <= 4.0f))
     fail(TYN_ERROR_INVALID_ARGUMENT, "TynMedium::ior is %g; allowed: 1 to 4", static_cast<double>(medium.ior));

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "scene/input.hpp"
+#include "core/input.hpp"
 #include "scene/mesh_input.hpp"
 #include "scene/validate.hpp"
 #include "scene/vector.hpp"
@@ -41,6 +41,18 @@ uint32_t append_named(std::vector<Named<T>> &list, T value) {
   value.name = nullptr;
   item.value = value;
   return append(list, std::move(item));
+}
+
+Medium copy_medium(const TynMedium &given) {
+  Medium medium;
+  medium.name = given.name ? given.name : "";
+  medium.value = given;
+  medium.value.name = nullptr;
+  if (given.phase) {
+    medium.phase = std::make_shared<const OwnedPhase>(read_struct("TynPhase", given.phase, tyn_phase()));
+    medium.value.phase = &medium.phase->get();
+  }
+  return medium;
 }
 
 Image copy_image(const TynImage &given) {
@@ -80,11 +92,7 @@ TynStatus tyn_scene_add_image(TynScene *scene, const TynImage *image, uint32_t *
 }
 
 TynStatus tyn_scene_add_medium(TynScene *scene, const TynMedium *medium, uint32_t *index) {
-  return add_to(scene, index, [&] {
-    const TynMedium given = read_struct("TynMedium", medium, tyn_medium());
-    validate(given);
-    return append_named(scene->media, given);
-  });
+  return add_to(scene, index, [&] { return append(scene->media, copy_medium(read_medium(medium))); });
 }
 
 TynStatus tyn_scene_add_material(TynScene *scene, const TynMaterial *material, uint32_t *index) {

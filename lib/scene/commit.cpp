@@ -88,6 +88,25 @@ Buffer upload(TynContext &context, const std::vector<T> &values) {
   return buffer;
 }
 
+struct Media {
+  std::vector<TynMediumRecord> records;
+  std::vector<TynPhaseRecord> phases;
+  PhaseTables tables;
+};
+
+// Henyey-Greenstein's function, however it was named, needs no record: walks have it built in.
+void append_medium(Media &media, const TynMedium &medium) {
+  TynMediumRecord record = medium_record(medium);
+  if (medium.phase) {
+    const TynPhaseRecord phase = media.tables.add(*medium.phase);
+    if (phase.kind != TYN_PHASE_HENYEY_GREENSTEIN) {
+      record.phase = uint32_t(media.phases.size());
+      media.phases.push_back(phase);
+    }
+  }
+  media.records.push_back(record);
+}
+
 void commit(TynScene &scene) {
   if (scene.meshes.empty())
     fail(TYN_ERROR_INVALID_OPERATION, "the scene has no mesh");
@@ -99,9 +118,9 @@ void commit(TynScene &scene) {
   const Bvh bvh = build_bvh(scene.meshes);
   const Geometry geometry = concatenate(scene, default_index);
   std::vector<TynMeshRecord> meshes = mesh_records(scene, bvh.roots);
-  std::vector<TynMediumRecord> media;
-  for (const Named<TynMedium> &medium : scene.media)
-    media.push_back(medium_record(medium.value));
+  Media media;
+  for (const Medium &medium : scene.media)
+    append_medium(media, medium.value);
 
   SceneBuffers buffers;
   buffers.nodes = upload(scene.context, bvh.nodes);
@@ -111,7 +130,9 @@ void commit(TynScene &scene) {
   buffers.normals = upload(scene.context, geometry.normals);
   buffers.uvs = upload(scene.context, geometry.uvs);
   buffers.meshes = upload(scene.context, meshes);
-  buffers.media = upload(scene.context, media);
+  buffers.media = upload(scene.context, media.records);
+  buffers.phases = upload(scene.context, media.phases);
+  buffers.phase_tables = upload(scene.context, media.tables.data);
   buffers.turned = upload(scene.context, geometry.turned);
   if (add_default)
     scene.materials.push_back(std::move(default_material));
@@ -119,7 +140,7 @@ void commit(TynScene &scene) {
   // Nothing below can fail.
   scene.default_material = default_index;
   scene.mesh_records = std::move(meshes);
-  scene.medium_records = std::move(media);
+  scene.medium_records = std::move(media.records);
   scene.triangle_count = uint32_t(geometry.triangles.size());
   scene.buffers = std::move(buffers);
   for (const Mesh &mesh : scene.meshes)
@@ -134,7 +155,8 @@ void commit(TynScene &scene) {
 
 TynMediumRecord medium_record(const TynMedium &medium) {
   TynMediumRecord record{};
-  record.g = medium.g;
+  record.g = medium.phase ? PhaseTables::henyey_greenstein(phase_mean_cosine(*medium.phase)).g : medium.g;
+  record.phase = TYN_NONE;
   record.ior = medium.ior;
   for (int i = 0; i < 3; i++) {
     const double sigma_t = double(medium.sigma_a[i]) + double(medium.sigma_s[i]);

@@ -7,6 +7,7 @@
 namespace tyn {
 
 // Extinction and single-scattering albedo per channel; the albedo of a channel without extinction is 0.
+// Its `phase` is left to commit.
 TynMediumRecord medium_record(const TynMedium &medium);
 
 } // namespace tyn

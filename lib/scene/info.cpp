@@ -3,7 +3,8 @@
 // What a scene holds, told to the caller.
 #include <algorithm>
 
-#include "scene/input.hpp"
+#include "core/input.hpp"
+#include "media/media.hpp"
 #include "scene/scene.hpp"
 
 namespace tyn {
@@ -71,7 +72,7 @@ TynStatus tyn_scene_medium(const TynScene *scene, uint32_t index, TynMedium *med
     require_index("index", index, scene->media.size(), "media");
     TynMedium result = scene->media[index].value;
     result.name = scene->media[index].name.c_str();
-    write_struct("TynMedium", medium, result);
+    write_struct("TynMedium", medium, result, first_medium_size);
   });
 }
 

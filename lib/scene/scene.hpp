@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/context.hpp"
 #include "kernels/shared.h"
+#include "media/phase.hpp"
 
 namespace tyn {
 
@@ -46,17 +48,24 @@ struct Named {
   std::string name;
 };
 
+// value.phase points into `phase`, or is NULL: what callers are handed stays where it is when the list of media grows.
+struct Medium : Named<TynMedium> {
+  std::shared_ptr<const OwnedPhase> phase;
+};
+
 // The committed scene's buffers.
 struct SceneBuffers {
-  Buffer nodes;     // TynBvhNode
-  Buffer blocks;    // TynTriangleBlock
-  Buffer triangles; // TynTriangleRecord
-  Buffer positions; // float x, y, z a vertex
-  Buffer normals;   // float x, y, z a vertex; zeros for meshes without
-  Buffer uvs;       // float u, v a vertex; zeros for meshes without
-  Buffer meshes;    // TynMeshRecord
-  Buffer media;     // TynMediumRecord
-  Buffer turned;    // a bit a triangle, 32 in a uint: Mesh::turned; callers' u and v are exchanged there
+  Buffer nodes;        // TynBvhNode
+  Buffer blocks;       // TynTriangleBlock
+  Buffer triangles;    // TynTriangleRecord
+  Buffer positions;    // float x, y, z a vertex
+  Buffer normals;      // float x, y, z a vertex; zeros for meshes without
+  Buffer uvs;          // float u, v a vertex; zeros for meshes without
+  Buffer meshes;       // TynMeshRecord
+  Buffer media;        // TynMediumRecord
+  Buffer phases;       // TynPhaseRecord of the media that have one
+  Buffer phase_tables; // float
+  Buffer turned;       // a bit a triangle, 32 in a uint: Mesh::turned; callers' u and v are exchanged there
 };
 
 } // namespace tyn
@@ -76,7 +85,7 @@ struct TynScene {
   bool committed = false;
   std::vector<tyn::Mesh> meshes;
   std::vector<tyn::Image> images;
-  std::vector<tyn::Named<TynMedium>> media;
+  std::vector<tyn::Medium> media;
   std::vector<tyn::Named<TynMaterial>> materials;
   std::vector<tyn::Named<TynLight>> lights;
   std::vector<tyn::Named<TynCamera>> cameras;

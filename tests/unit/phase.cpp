@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/opencl_shim.hpp"
+#include "core/opencl_shim.hpp"
 #include "common/statistics.hpp"
 
 namespace {

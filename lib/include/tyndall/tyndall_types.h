@@ -92,4 +92,28 @@ typedef struct TynWalkExit {
   uint32_t reserved; /* 0 */
 } TynWalkExit;
 
+/* Phase functions p(cos), 1/sr; see TynPhase in tyndall_phase.h. */
+enum {
+  TYN_PHASE_ISOTROPIC = 0,         /* 1 / (4 pi) */
+  TYN_PHASE_RAYLEIGH = 1,          /* 3 / (16 pi) (1 + cos^2) (Rayleigh 1871) */
+  TYN_PHASE_HENYEY_GREENSTEIN = 2, /* (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)) (Henyey & Greenstein 1941) */
+  TYN_PHASE_TWO_LOBE = 3,          /* weight HG(g) + (1 - weight) HG(g2) */
+  TYN_PHASE_DRAINE = 4,            /* HG(g) (1 + alpha cos^2) / (1 + alpha (1 + 2 g^2) / 3) (Draine 2003, eq. 4) */
+  TYN_PHASE_TABULATED = 5,         /* linear in cos between the entries of a table, which is normalized */
+  TYN_PHASE_KIND_COUNT = 6
+};
+
+/* How light arrives. */
+enum {
+  TYN_INCIDENCE_COLLIMATED = 0, /* all along one direction, `angle` from the normal */
+  TYN_INCIDENCE_DIFFUSE = 1     /* radiance equal from everywhere above (cosine-distributed flux) */
+};
+
+/* Where light arrives: around the origin. Matters to what is resolved over the radius only. */
+enum {
+  TYN_BEAM_PENCIL = 0,  /* at the origin */
+  TYN_BEAM_DISC = 1,    /* uniform on a disc of radius beam_radius */
+  TYN_BEAM_GAUSSIAN = 2 /* density proportional to exp(-2 r^2 / beam_radius^2): beam_radius is the 1/e^2 radius */
+};
+
 #endif
