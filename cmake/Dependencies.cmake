@@ -5,6 +5,7 @@
 
 find_package(OpenCL REQUIRED)
 find_package(Threads REQUIRED)
+find_package(Eigen3 CONFIG REQUIRED) # linear algebra of the exact slab solver; headers only
 
 # Embree builds the acceleration structure. Version 4 has the same builder as 3 under another include folder.
 find_package(embree 4 CONFIG QUIET)
@@ -32,6 +33,11 @@ endif()
 
 if(TYN_BUILD_SAMPLES)
   find_package(CLI11 CONFIG REQUIRED)
+  # Cairo draws plots; without it the tools do everything else.
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(Cairo QUIET IMPORTED_TARGET cairo>=1.14)
+  endif()
 endif()
 
 if(TYN_BUILD_TESTS)

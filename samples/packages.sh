@@ -7,10 +7,10 @@
 set -euo pipefail
 
 build=(g++ cmake ninja-build pkgconf)
-libraries=(ocl-icd-opencl-dev opencl-c-headers libembree-dev libtinygltf-dev libopenexr-dev libpng-dev libcli11-dev
-  nlohmann-json3-dev libmeshoptimizer-dev)
+libraries=(ocl-icd-opencl-dev opencl-c-headers libembree-dev libeigen3-dev libtinygltf-dev libopenexr-dev libpng-dev
+  libcli11-dev nlohmann-json3-dev libmeshoptimizer-dev)
 device=(pocl-opencl-icd) # OpenCL on the processor; a GPU brings its own driver
-tests=(libgtest-dev librandom123-dev python3)
+tests=(libgtest-dev librandom123-dev python3 python3-venv)
 optional=()
 if [ "${1:-}" = tests ]; then
   build+=("${tests[@]}")

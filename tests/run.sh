@@ -11,6 +11,24 @@ cd "$(dirname "$0")/.."
 say() { printf '== %s\n' "$*"; }
 TYNDALL_SCRIPT=run.sh bash samples/packages.sh tests
 
+# The independent programs of tests/peers, in a virtual environment that is made anew when the list changes. Without them
+# their tests are disabled, which is no failure: PyPI may be out of reach.
+peers() {
+  local wanted=tests/peers/requirements.txt
+  cmp -s $wanted build/peers/requirements.txt && return
+  say "install $wanted"
+  rm -rf build/peers
+  mkdir -p build
+  if python3 -m venv build/peers &&
+    build/peers/bin/python -m pip install --quiet --disable-pip-version-check --retries 1 --timeout 20 -r $wanted; then
+    cp $wanted build/peers/requirements.txt
+  else
+    echo "Not installed (see build/peers.log): the comparisons with independent programs are left out. Is the network up?"
+  fi >build/peers.log 2>&1
+  tail -n 1 build/peers.log
+}
+peers
+
 jobs=$(nproc)
 # build PRESET [TARGET...]: the log is shown when it fails
 build() {
