@@ -16,6 +16,7 @@
 #include "core/kernels.hpp"
 #include "kernels/shared.h"
 #include "kernels/shared_render.h"
+#include "kernels/shared_slab.h"
 
 namespace {
 
@@ -68,7 +69,12 @@ const Layout &host_layout() {
 
       RECORD(TynMediumRecord),
       FIELD(TynMediumRecord, sigma_t), FIELD(TynMediumRecord, g), FIELD(TynMediumRecord, albedo),
-      FIELD(TynMediumRecord, ior),
+      FIELD(TynMediumRecord, ior), FIELD(TynMediumRecord, phase), FIELD(TynMediumRecord, reserved),
+
+      RECORD(TynPhaseRecord),
+      FIELD(TynPhaseRecord, kind), FIELD(TynPhaseRecord, g), FIELD(TynPhaseRecord, g2),
+      FIELD(TynPhaseRecord, weight), FIELD(TynPhaseRecord, alpha), FIELD(TynPhaseRecord, table),
+      FIELD(TynPhaseRecord, count), FIELD(TynPhaseRecord, reserved),
 
       RECORD(TynWalkParameters),
       FIELD(TynWalkParameters, seed), FIELD(TynWalkParameters, first_path),
@@ -148,6 +154,24 @@ const Layout &host_layout() {
       FIELD(TynShadowRay, origin), FIELD(TynShadowRay, t_max), FIELD(TynShadowRay, direction),
       FIELD(TynShadowRay, path), FIELD(TynShadowRay, first), FIELD(TynShadowRay, first_event),
       FIELD(TynShadowRay, second), FIELD(TynShadowRay, second_event),
+
+      RECORD(TynSlabLayerRecord),
+      FIELD(TynSlabLayerRecord, mean_free_path), FIELD(TynSlabLayerRecord, albedo), FIELD(TynSlabLayerRecord, g),
+      FIELD(TynSlabLayerRecord, top), FIELD(TynSlabLayerRecord, thickness), FIELD(TynSlabLayerRecord, ior),
+      FIELD(TynSlabLayerRecord, general), FIELD(TynSlabLayerRecord, reserved),
+
+      RECORD(TynSlabParameters),
+      FIELD(TynSlabParameters, seed), FIELD(TynSlabParameters, first_photon), FIELD(TynSlabParameters, count),
+      FIELD(TynSlabParameters, slice), FIELD(TynSlabParameters, flags), FIELD(TynSlabParameters, layer_count),
+      FIELD(TynSlabParameters, max_order), FIELD(TynSlabParameters, roulette_threshold),
+      FIELD(TynSlabParameters, ior_above), FIELD(TynSlabParameters, ior_below), FIELD(TynSlabParameters, start),
+      FIELD(TynSlabParameters, beam), FIELD(TynSlabParameters, beam_radius), FIELD(TynSlabParameters, tally_count),
+      FIELD(TynSlabParameters, copies), FIELD(TynSlabParameters, radial_bins), FIELD(TynSlabParameters, angular_bins),
+      FIELD(TynSlabParameters, depth_bins), FIELD(TynSlabParameters, order_bins), FIELD(TynSlabParameters, path_bins),
+      FIELD(TynSlabParameters, sweep_count), FIELD(TynSlabParameters, radial_scale),
+      FIELD(TynSlabParameters, depth_scale), FIELD(TynSlabParameters, path_scale), FIELD(TynSlabParameters, radial),
+      FIELD(TynSlabParameters, angular), FIELD(TynSlabParameters, radial_angular), FIELD(TynSlabParameters, depth),
+      FIELD(TynSlabParameters, order), FIELD(TynSlabParameters, path), FIELD(TynSlabParameters, sweep),
       // clang-format on
   };
   return layout;
@@ -246,7 +270,8 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
   EXPECT_EQ(sizeof(TynTriangleRecord), 20u);
   EXPECT_EQ(sizeof(TynMeshRecord), 48u);
-  EXPECT_EQ(sizeof(TynMediumRecord), 32u);
+  EXPECT_EQ(sizeof(TynPhaseRecord), 32u);
+  EXPECT_EQ(sizeof(TynMediumRecord), 48u);
   EXPECT_EQ(sizeof(TynWalkParameters), 48u);
   EXPECT_EQ(sizeof(TynWalkTally), 36u);
 }

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "media/phase.hpp"
+#include "slab/fresnel.hpp"
+#include "slab/round.hpp"
+#include "slab/tallies.hpp"
+
+namespace tyn {
+
+namespace {
+
+constexpr uint64_t tally_memory = uint64_t(96) << 20; // bytes that all copies of the tallies may take
+
+template <class T>
+Buffer upload(TynContext &context, const std::vector<T> &data) {
+  if (data.empty())
+    return Buffer(context, 0);
+  return Buffer(context, data.size() * sizeof(T), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, data.data());
+}
+
+bool one_index(const Slab &slab) {
+  for (const SlabLayer &layer : slab.layers)
+    if (layer.ior != slab.ior_above)
+      return false;
+  return std::isinf(slab.layers.back().thickness) || slab.ior_below == slab.ior_above;
+}
+
+TynSlabLayerRecord layer_record(const SlabLayer &layer, size_t channel, const TynPhaseRecord &phase, double top) {
+  TynSlabLayerRecord record{};
+  const double sigma_t = layer.sigma_a[channel] + layer.sigma_s[channel];
+  record.mean_free_path = sigma_t > 0 ? float(std::min(1 / sigma_t, 1e28)) : 1e30f;
+  record.albedo = sigma_t > 0 ? float(layer.sigma_s[channel] / sigma_t) : 1.0f;
+  record.general = phase.kind != TYN_PHASE_HENYEY_GREENSTEIN;
+  record.g = record.general ? 0.0f : phase.g;
+  record.top = float(top);
+  record.thickness = float(layer.thickness);
+  record.ior = float(layer.ior);
+  return record;
+}
+
+uint32_t flags_of(const Slab &slab, const TynSlabOptions &options, const std::vector<TynPhaseRecord> &phases) {
+  uint32_t flags = TYN_SLAB_ISOTROPIC;
+  for (const TynPhaseRecord &phase : phases) {
+    if (phase.kind != TYN_PHASE_HENYEY_GREENSTEIN)
+      flags |= TYN_SLAB_GENERAL;
+    if (phase.kind != TYN_PHASE_HENYEY_GREENSTEIN || phase.g != 0)
+      flags &= ~TYN_SLAB_ISOTROPIC;
+  }
+  if (options.radial_bins)
+    flags |= TYN_SLAB_LATERAL;
+  if (options.path_bins || options.sweep_count)
+    flags |= TYN_SLAB_LENGTH;
+  if (options.incidence == TYN_INCIDENCE_DIFFUSE)
+    flags |= TYN_SLAB_DIFFUSE;
+  if (one_index(slab))
+    flags |= TYN_SLAB_MATCHED;
+  if (options.radial_bins || options.angular_bins || options.order_bins || options.path_bins || options.sweep_count)
+    flags |= TYN_SLAB_BINS;
+  for (const SlabLayer &layer : slab.layers)
+    for (uint32_t c = 0; c < slab.channels; ++c)
+      if (layer.sigma_a[c] + layer.sigma_s[c] == 0)
+        flags |= TYN_SLAB_CLEAR;
+  return flags;
+}
+
+} // namespace
+
+RoundEngine::RoundEngine(TynContext &context_, const Slab &slab, const TynSlabOptions &options) : context(context_) {
+  base.seed[0] = uint32_t(options.seed);
+  base.seed[1] = uint32_t(options.seed >> 32);
+  base.layer_count = uint32_t(slab.layers.size());
+  base.max_order = options.max_order;
+  base.roulette_threshold = float(options.roulette_threshold);
+  base.ior_above = float(slab.ior_above);
+  base.ior_below = float(slab.ior_below);
+  // where nothing is resolved over the radius it does not matter where light arrives
+  base.beam = options.radial_bins ? options.beam : uint32_t(TYN_BEAM_PENCIL);
+  base.beam_radius = float(options.beam_radius);
+  lay_out_tallies(options, base);
+  set_incidence(slab, options);
+  PhaseTables phase_tables;
+  std::vector<TynPhaseRecord> records;
+  for (const SlabLayer &layer : slab.layers)
+    records.push_back(phase_tables.add(layer.phase));
+  base.flags = flags_of(slab, options, records);
+  phases = upload(context, records);
+  tables = upload(context, phase_tables.data);
+  for (uint32_t c = 0; c < slab.channels; ++c) {
+    std::vector<TynSlabLayerRecord> list;
+    double top = 0;
+    for (size_t i = 0; i < slab.layers.size(); ++i) {
+      list.push_back(layer_record(slab.layers[i], c, records[i], top));
+      top += slab.layers[i].thickness;
+    }
+    layers.push_back(upload(context, list));
+  }
+  upload_sweep(slab, options);
+
+  const uint64_t bytes = uint64_t(base.tally_count) * sizeof(uint64_t);
+  const uint64_t room = std::min({tally_memory, context.memory_available() / 2, context.largest_buffer()});
+  base.copies =
+      uint32_t(std::min<uint64_t>(room / bytes, context.is_gpu() ? 16 : context.device_info.compute_units * 8));
+  if (base.copies == 0)
+    fail(TYN_ERROR_OUT_OF_MEMORY, "the bins asked for need %llu bytes of device memory; %llu are left",
+         (unsigned long long)bytes, (unsigned long long)context.memory_available());
+  tallies = Buffer(context, base.copies * bytes);
+  sums = Buffer(context, bytes);
+  context.fill_zero(tallies);
+  host_sums.resize(base.tally_count);
+}
+
+// Light enters along the direction that the first interface refracts it into.
+void RoundEngine::set_incidence(const Slab &slab, const TynSlabOptions &options) {
+  const double eta = slab.layers[0].ior / slab.ior_above;
+  const double cosine = std::cos(options.angle), sine = std::sin(options.angle);
+  if (options.incidence == TYN_INCIDENCE_COLLIMATED)
+    first_reflection = fresnel_reflectance(cosine, eta);
+  base.start[0] = float(sine / eta);
+  base.start[1] = 0;
+  base.start[2] = float(std::sqrt(std::max(0.0, 1 - sine * sine / (eta * eta))));
+  base.start[3] = float(1 - first_reflection);
+}
+
+// What the weight of a walk in the slab becomes in a row's medium: with n events and the length s in a layer,
+// (sigma_s' / sigma_s)^n exp(-(sigma_t' - sigma_t) s).
+void RoundEngine::upload_sweep(const Slab &slab, const TynSlabOptions &options) {
+  for (uint32_t c = 0; c < slab.channels; ++c) {
+    std::vector<float> rows;
+    for (uint32_t row = 0; row < options.sweep_count; ++row)
+      for (size_t i = 0; i < slab.layers.size(); ++i) {
+        const SlabLayer &layer = slab.layers[i];
+        const double sigma_a = options.sweep_sigma_a[row * slab.layers.size() + i];
+        const double sigma_s = options.sweep_sigma_s[row * slab.layers.size() + i];
+        const double ratio = layer.sigma_s[c] > 0 ? sigma_s / layer.sigma_s[c] : 1;
+        rows.push_back(float(std::max(std::log(std::min(ratio, 1.0)), -1e30))); // no infinity times zero events
+        rows.push_back(float(std::max(0.0, sigma_a + sigma_s - layer.sigma_a[c] - layer.sigma_s[c])));
+      }
+    sweeps.push_back(upload(context, rows));
+  }
+}
+
+// Work-items: on a CPU some for each core, so that they end together, with slices long enough that their lanes stay full; on a
+// GPU as many as give each a few photons.
+uint32_t RoundEngine::work_items(uint32_t count) const {
+  if (context.is_gpu())
+    return std::clamp(count / 4, 1u, 1u << 18);
+  return std::clamp(count / (context.lanes() * 32), 1u,
+                    context.lanes() == 1 ? context.device_info.compute_units * 8 : base.copies);
+}
+
+void RoundEngine::prepare() {
+  TynSlabParameters nothing = base;
+  nothing.count = 0;
+  nothing.slice = 1;
+  launch(0, nothing, 1);
+  context.finish();
+}
+
+const std::vector<int64_t> &RoundEngine::walk(size_t channel, uint64_t first, uint32_t count) {
+  TynSlabParameters parameters = base;
+  parameters.first_photon[0] = uint32_t(first);
+  parameters.first_photon[1] = uint32_t(first >> 32);
+  parameters.count = count;
+  const uint32_t items = work_items(count);
+  parameters.slice = (count + items - 1) / items;
+  launch(channel, parameters, (count + parameters.slice - 1) / parameters.slice);
+  context.read(sums, host_sums.data(), host_sums.size() * sizeof(int64_t));
+  return host_sums;
+}
+
+void RoundEngine::launch(size_t channel, const TynSlabParameters &parameters, size_t items) {
+  context.launch("slab", "slab_walk", items, context.is_gpu() ? 64 : 1, layers[channel], phases, tables,
+                 sweeps[channel], tallies, parameters);
+  const auto used = uint32_t(std::min<size_t>(items, parameters.copies));
+  context.launch("slab", "slab_reduce", parameters.tally_count, 64, tallies, sums, parameters.tally_count, used);
+}
+
+} // namespace tyn
