@@ -31,10 +31,10 @@ typedef struct TynSlabLayerRecord {
 #define TYN_SLAB_CLEAR 128u   // some layer has no extinction
 
 // Tallies are 64-bit integers, so that their sum does not depend on the order. A weight, which is at most 1, is rounded to a
-// multiple of 2^-23; those of a sweep, which may be very small, to 2^-36. A round has at most 2^20 photons: no tally overflows.
+// multiple of 2^-23; those of a sweep, which may be very small, to 2^-36. A batch has at most 2^16 photons: no tally overflows.
 #define TYN_SLAB_WEIGHT_SCALE 8388608.0f
 #define TYN_SLAB_SWEEP_SCALE 68719476736.0f
-#define TYN_SLAB_ROUND 1048576u // photons, at most
+#define TYN_SLAB_BATCH 65536u // photons, at most
 
 // Where each tally stands. The first ones are always there; after them come those that were asked for.
 #define TYN_SLAB_TALLY_EXIT 0u // specular and diffuse reflectance, direct and diffuse transmittance
@@ -47,8 +47,10 @@ typedef struct TynSlabLayerRecord {
 typedef struct TynSlabParameters {
   uint32_t seed[2];         // low, high word
   uint32_t first_photon[2]; // low, high word
-  uint32_t count;           // photons of this round
-  uint32_t slice;           // photons a work-item
+  uint32_t count;           // photons of this launch
+  uint32_t batch;           // photons a batch; the last one may have fewer
+  uint32_t slice;           // photons a work-item, at most `batch`
+  uint32_t batch_items;     // work-items a batch
   uint32_t flags;           // TYN_SLAB_*
   uint32_t layer_count;
   uint32_t max_order; // 0: no limit
@@ -57,8 +59,7 @@ typedef struct TynSlabParameters {
   float start[4]; // collimated: direction inside the first layer, and the weight that gets there
   uint32_t beam;  // TYN_BEAM_*
   float beam_radius;
-  uint32_t tally_count; // of one copy of the tallies
-  uint32_t copies;      // of the tallies
+  uint32_t tally_count; // of one batch
   uint32_t radial_bins, angular_bins, depth_bins, order_bins, path_bins, sweep_count;
   float radial_scale, depth_scale, path_scale; // bins per length
   // offset of the reflectance's tallies; the transmittance's follow at once

@@ -281,17 +281,18 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
                       global const float *tables, global const float *sweep, global ulong *tallies,
                       TynSlabParameters parameters) {
   uint item = (uint)get_global_id(0);
-  uint next = item * parameters.slice;
-  if (next >= parameters.count)
+  uint batch = item / parameters.batch_items;
+  uint next = batch * parameters.batch + item % parameters.batch_items * parameters.slice;
+  uint end = min(min(next + parameters.slice, (batch + 1u) * parameters.batch), parameters.count);
+  if (next >= end)
     return;
-  uint end = min(next + parameters.slice, parameters.count);
   SlabRun run;
   run.layers = layers;
   run.phases = phases;
   run.tables = tables;
   run.sweep = sweep;
   run.p = parameters;
-  run.tally = tallies + (ulong)(item % parameters.copies) * parameters.tally_count;
+  run.tally = tallies + (ulong)batch * parameters.tally_count;
 
   SlabWalks walks;
   SlabSums sums;
@@ -341,17 +342,4 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
   }
   slab_empty_sums(&run, &sums);
   slab_add(run.tally + TYN_SLAB_TALLY_EVENTS, slab_lane_sum(&events));
-}
-
-// Adds the copies of the tallies up and clears them for the next round.
-kernel void slab_reduce(global ulong *tallies, global ulong *sums, uint count, uint copies) {
-  uint tally = (uint)get_global_id(0);
-  if (tally >= count)
-    return;
-  ulong sum = 0ul;
-  for (uint copy = 0u; copy < copies; ++copy) {
-    sum += tallies[(ulong)copy * count + tally];
-    tallies[(ulong)copy * count + tally] = 0ul;
-  }
-  sums[tally] = sum;
 }

@@ -77,7 +77,8 @@ struct TynContext {
   }
   void read(cl_mem buffer, void *host, size_t bytes, size_t offset = 0);
   void write(const tyn::Buffer &buffer, const void *host, size_t bytes, size_t offset = 0);
-  void fill_zero(const tyn::Buffer &buffer);
+  // The first `bytes`, or all of it.
+  void fill_zero(const tyn::Buffer &buffer, size_t bytes = SIZE_MAX);
   void flush();
   void finish();
 

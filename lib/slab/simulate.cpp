@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// tyn_slab_simulate: rounds of photons until a limit is reached.
+// tyn_slab_simulate: batches of photons until a limit is reached.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,9 +8,8 @@
 
 #include "core/argument.hpp"
 #include "core/context.hpp"
-#include "media/phase.hpp"
 #include "slab/options.hpp"
-#include "slab/round.hpp"
+#include "slab/batches.hpp"
 #include "slab/tallies.hpp"
 
 namespace tyn {
@@ -21,22 +20,22 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// How many photons the next round has: a function of what was asked for and what is done, never of time, so that where the
-// rounds end is reproducible. A standard error needs some tens of them; they grow with the run, so that a long one is not made
-// of a million.
-uint64_t round_size(uint64_t asked, uint64_t done) {
-  const uint64_t first = asked ? std::clamp<uint64_t>(asked / 64, 1, 8192) : 8192;
-  uint64_t size = first;
-  while (size < TYN_SLAB_ROUND && size * 64 <= done)
+// How many photons the next batch has: a function of what is asked for and of what is done, never of time or of the device, so
+// that where batches end is reproducible. A standard error needs some tens of them. They grow with the run, since small ones
+// are less efficient, and are larger where there are many tallies to go through after each.
+uint32_t batch_size(uint64_t asked, uint32_t tallies, uint64_t done) {
+  const uint64_t first = std::clamp<uint64_t>(4 * uint64_t(tallies), 4096, TYN_SLAB_BATCH);
+  uint64_t size = asked ? std::clamp<uint64_t>(asked / 64, 1, first) : first;
+  while (size < TYN_SLAB_BATCH && size * 64 <= done)
     size *= 2;
-  size = std::min<uint64_t>(size, TYN_SLAB_ROUND);
-  return asked ? std::min(size, asked - done) : size;
+  return uint32_t(std::min<uint64_t>(size, TYN_SLAB_BATCH));
 }
 
 class Run {
 public:
   Run(TynContext &context, const Slab &slab_, const TynSlabOptions &options_)
-      : slab(slab_), options(options_), engine(context, slab, options) {
+      : slab(slab_), options(options_), engine(context, slab, options),
+        cores(std::max(1u, context.device_info.compute_units)), batches_at_once(4 * cores) {
     for (uint32_t c = 0; c < slab.channels; ++c)
       channels.emplace_back(slab, c, options, engine.parameters(), engine.specular());
   }
@@ -48,11 +47,7 @@ public:
     build_seconds = seconds_since(building);
     start = Clock::now();
     do {
-      const uint64_t photons = round_size(options.photons, done);
-      for (size_t c = 0; c < channels.size(); ++c)
-        channels[c].add(engine.walk(c, done, uint32_t(photons)), photons);
-      done += photons;
-      ++rounds;
+      launch();
       if (options.progress && options.progress(options.user, fraction()) != 0 && !finished())
         return true;
     } while (!finished());
@@ -77,8 +72,49 @@ public:
   }
 
 private:
-  // The error is trusted from some rounds on.
-  static constexpr uint32_t trusted_rounds = 16;
+  // The error is trusted from some batches on.
+  static constexpr uint64_t trusted_batches = 16;
+  // Between two looks at the clock and at the caller's wishes.
+  static constexpr double launch_seconds = 0.05;
+
+  // Some batches of every channel.
+  void launch() {
+    const Clock::time_point begin = Clock::now();
+    const uint32_t size = batch_size(options.photons, engine.parameters().tally_count, done);
+    const uint64_t left = options.photons ? options.photons - done : UINT64_MAX;
+    const uint64_t before_growth = size < TYN_SLAB_BATCH && size * 64ull > done ? size * 64ull - done : UINT64_MAX;
+    const uint32_t most = std::min(batches_at_once, engine.most_batches());
+    const uint64_t wanted = std::min({uint64_t(size) * most, left, round_up(before_growth, size)});
+    const auto photons = uint32_t(wanted);
+    std::vector<std::vector<int64_t>> tallies;
+    for (size_t c = 0; c < channels.size(); ++c) {
+      const int64_t *walked = engine.walk(c, done, photons, size);
+      tallies.emplace_back(walked, walked + uint64_t(engine.parameters().tally_count) * ((photons + size - 1) / size));
+    }
+    add_batches(tallies, photons, size);
+    const double seconds = std::max(seconds_since(begin), 1e-6);
+    const double fitting = batches_at_once * launch_seconds / seconds;
+    batches_at_once = uint32_t(std::clamp(fitting, double(cores), 1024.0));
+  }
+
+  static uint64_t round_up(uint64_t value, uint64_t step) {
+    return value > UINT64_MAX - step ? value : (value + step - 1) / step * step;
+  }
+
+  // One after the other, so that a target error ends the run at the same batch whatever was walked at once.
+  void add_batches(const std::vector<std::vector<int64_t>> &tallies, uint32_t photons, uint32_t size) {
+    for (uint32_t first = 0, batch = 0; first < photons && !reached(); first += size, ++batch) {
+      const uint32_t count = std::min(size, photons - first);
+      for (size_t c = 0; c < channels.size(); ++c)
+        channels[c].add(tallies[c].data() + size_t(batch) * engine.parameters().tally_count, count);
+      done += count;
+      ++batches;
+    }
+  }
+
+  bool reached() const {
+    return options.target_error > 0 && batches >= trusted_batches && error() <= options.target_error;
+  }
 
   double error() const {
     double largest = 0;
@@ -92,7 +128,7 @@ private:
       return true;
     if (options.seconds > 0 && seconds_since(start) >= options.seconds)
       return true;
-    return options.target_error > 0 && rounds >= trusted_rounds && error() <= options.target_error;
+    return reached();
   }
 
   // How far along the limit is that will end the run.
@@ -102,7 +138,7 @@ private:
       largest = double(done) / double(options.photons);
     if (options.seconds > 0)
       largest = std::max(largest, seconds_since(start) / options.seconds);
-    const double now = options.target_error > 0 && rounds > 1 ? error() : 0;
+    const double now = options.target_error > 0 && batches > 1 ? error() : 0;
     if (now > 0) // it falls with the square root of the number of photons
       largest = std::max(largest, options.target_error * options.target_error / (now * now));
     return std::min(largest, 1.0);
@@ -110,12 +146,14 @@ private:
 
   const Slab &slab;
   const TynSlabOptions &options;
-  RoundEngine engine;
+  BatchEngine engine;
   std::vector<Estimates> channels;
   Clock::time_point start;
   double build_seconds = 0;
   uint64_t done = 0;
-  uint32_t rounds = 0;
+  uint64_t batches = 0;
+  const uint32_t cores;
+  uint32_t batches_at_once;
 };
 
 } // namespace

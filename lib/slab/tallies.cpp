@@ -11,7 +11,7 @@ namespace tyn {
 namespace {
 
 constexpr double pi = 3.14159265358979324;
-constexpr uint64_t most_tallies = uint64_t(1) << 22; // 32 MiB a copy
+constexpr uint64_t most_tallies = uint64_t(1) << 22; // 32 MiB a batch
 
 double scale_of(uint32_t bins, double end) { return bins ? bins / end : 0; }
 
@@ -103,7 +103,7 @@ Estimates::Estimates(const Slab &slab_, size_t channel_, const TynSlabOptions &o
     first[quantity] = next;
     next += count[quantity];
   }
-  round.resize(next);
+  batch.resize(next);
   moments = Moments(next);
   const std::vector<double> areas = ring_areas(options.radial_bins, scale_of(options.radial_bins, options.radial_max));
   const std::vector<double> angles = solid_angles(options.angular_bins);
@@ -115,8 +115,8 @@ Estimates::Estimates(const Slab &slab_, size_t channel_, const TynSlabOptions &o
     bin_size[TYN_SLAB_PATH_REFLECTANCE].assign(options.path_bins, options.path_max / options.path_bins);
 }
 
-void Estimates::add(const std::vector<int64_t> &tallies, uint64_t photons) {
-  std::fill(round.begin(), round.end(), 0.0);
+void Estimates::add(const int64_t *tallies, uint64_t photons) {
+  std::fill(batch.begin(), batch.end(), 0.0);
   evaluate_totals(tallies, photons);
   evaluate_sides(TYN_SLAB_RADIAL_REFLECTANCE, tallies, parameters.radial);
   evaluate_sides(TYN_SLAB_ANGULAR_REFLECTANCE, tallies, parameters.angular);
@@ -127,32 +127,32 @@ void Estimates::add(const std::vector<int64_t> &tallies, uint64_t photons) {
   evaluate_sweep(tallies, photons);
   // light that the first interface reflects has not been scattered
   if (parameters.order_bins)
-    values(TYN_SLAB_ORDER_REFLECTANCE)[0] = round[Specular];
+    values(TYN_SLAB_ORDER_REFLECTANCE)[0] = batch[Specular];
   event_count += uint64_t(tallies[TYN_SLAB_TALLY_EVENTS]);
-  moments.add(round, photons);
+  moments.add(batch, photons);
 }
 
 // What the first interface reflects, which never becomes a walk.
-double Estimates::surface_reflection(const std::vector<int64_t> &tallies, uint64_t photons) const {
+double Estimates::surface_reflection(const int64_t *tallies, uint64_t photons) const {
   return specular * double(photons) + weight_of(tallies[TYN_SLAB_TALLY_SURFACE]);
 }
 
-void Estimates::evaluate_totals(const std::vector<int64_t> &tallies, uint64_t photons) {
-  round[Specular] = surface_reflection(tallies, photons) + weight_of(tallies[TYN_SLAB_TALLY_EXIT]);
-  round[DiffuseR] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 1]);
-  round[Reflectance] = round[Specular] + round[DiffuseR];
-  round[Direct] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 2]);
-  round[DiffuseT] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 3]);
-  round[Transmittance] = round[Direct] + round[DiffuseT];
-  round[Cut] = weight_of(tallies[TYN_SLAB_TALLY_CUT]);
+void Estimates::evaluate_totals(const int64_t *tallies, uint64_t photons) {
+  batch[Specular] = surface_reflection(tallies, photons) + weight_of(tallies[TYN_SLAB_TALLY_EXIT]);
+  batch[DiffuseR] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 1]);
+  batch[Reflectance] = batch[Specular] + batch[DiffuseR];
+  batch[Direct] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 2]);
+  batch[DiffuseT] = weight_of(tallies[TYN_SLAB_TALLY_EXIT + 3]);
+  batch[Transmittance] = batch[Direct] + batch[DiffuseT];
+  batch[Cut] = weight_of(tallies[TYN_SLAB_TALLY_CUT]);
   for (uint32_t i = 0; i < parameters.layer_count; ++i) {
     values(TYN_SLAB_LAYER_ABSORBED)[i] = weight_of(tallies[TYN_SLAB_TALLY_LAYERS + i]);
-    round[Absorbed] += values(TYN_SLAB_LAYER_ABSORBED)[i];
+    batch[Absorbed] += values(TYN_SLAB_LAYER_ABSORBED)[i];
   }
 }
 
 // A quantity of reflected light, and of transmitted light, which follows it both in the tallies and in the enumeration.
-void Estimates::evaluate_sides(uint32_t quantity, const std::vector<int64_t> &tallies, uint32_t tally) {
+void Estimates::evaluate_sides(uint32_t quantity, const int64_t *tallies, uint32_t tally) {
   const std::vector<double> &size = bin_size[quantity];
   for (uint32_t side = 0; side < 2; ++side)
     for (size_t i = 0; i < count[quantity]; ++i)
@@ -162,7 +162,7 @@ void Estimates::evaluate_sides(uint32_t quantity, const std::vector<int64_t> &ta
 
 // Every event adds its weight w to the bin of its layer and depth: w (1 - albedo) of it is absorbed, and w / sigma_t is the
 // collision estimate of the path length there. In clear layers the path length itself is added.
-void Estimates::evaluate_depth(const std::vector<int64_t> &tallies) {
+void Estimates::evaluate_depth(const int64_t *tallies) {
   for (uint32_t bin = 0; bin < parameters.depth_bins; ++bin)
     for (size_t i = 0; i < slab.layers.size(); ++i) {
       const SlabLayer &layer = slab.layers[i];
@@ -178,7 +178,7 @@ void Estimates::evaluate_depth(const std::vector<int64_t> &tallies) {
     }
 }
 
-void Estimates::evaluate_sweep(const std::vector<int64_t> &tallies, uint64_t photons) {
+void Estimates::evaluate_sweep(const int64_t *tallies, uint64_t photons) {
   const double surface = surface_reflection(tallies, photons);
   for (uint32_t row = 0; row < parameters.sweep_count; ++row) {
     const double reflected = surface + sweep_weight_of(tallies[parameters.sweep + row]);

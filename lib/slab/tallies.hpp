@@ -16,15 +16,15 @@ namespace tyn {
 // too many.
 void lay_out_tallies(const TynSlabOptions &options, TynSlabParameters &parameters);
 
-// The estimates of one channel, round by round.
+// The estimates of one channel, batch by batch.
 class Estimates {
 public:
   // `specular`: the fraction that the first interface reflects before a photon starts.
   Estimates(const Slab &slab, size_t channel, const TynSlabOptions &options, const TynSlabParameters &parameters,
             double specular);
 
-  // A round's tallies.
-  void add(const std::vector<int64_t> &tallies, uint64_t photons);
+  // A batch's tallies.
+  void add(const int64_t *tallies, uint64_t photons);
 
   // The larger standard error of total reflectance and transmittance.
   double error() const;
@@ -34,12 +34,12 @@ public:
 private:
   enum Total { Specular, DiffuseR, Reflectance, Direct, DiffuseT, Transmittance, Absorbed, Cut, TotalCount };
 
-  double surface_reflection(const std::vector<int64_t> &tallies, uint64_t photons) const;
-  void evaluate_totals(const std::vector<int64_t> &tallies, uint64_t photons);
-  void evaluate_sides(uint32_t quantity, const std::vector<int64_t> &tallies, uint32_t first);
-  void evaluate_depth(const std::vector<int64_t> &tallies);
-  void evaluate_sweep(const std::vector<int64_t> &tallies, uint64_t photons);
-  double *values(uint32_t quantity) { return &round[first[quantity]]; }
+  double surface_reflection(const int64_t *tallies, uint64_t photons) const;
+  void evaluate_totals(const int64_t *tallies, uint64_t photons);
+  void evaluate_sides(uint32_t quantity, const int64_t *tallies, uint32_t first);
+  void evaluate_depth(const int64_t *tallies);
+  void evaluate_sweep(const int64_t *tallies, uint64_t photons);
+  double *values(uint32_t quantity) { return &batch[first[quantity]]; }
 
   const Slab &slab;
   size_t channel;
@@ -49,7 +49,7 @@ private:
   std::array<size_t, TYN_SLAB_QUANTITY_COUNT> first{}; // of each quantity among the values
   std::array<size_t, TYN_SLAB_QUANTITY_COUNT> count{};
   std::array<std::vector<double>, TYN_SLAB_QUANTITY_COUNT> bin_size; // what a bin's fraction is divided by; empty: 1
-  std::vector<double> round;                                         // the values of the round at hand
+  std::vector<double> batch;                                         // the values of the batch at hand
   Moments moments;
 };
 

@@ -79,8 +79,8 @@ void compare(benchmark::State &state, const PlainSlab &medium, bool resolved) {
   Bench bench(medium, resolved);
   bench.ours = Rate();
   for (auto _ : state) {
-    bench.run(1 << 20);
-    bench.run_plain(1 << 16);
+    bench.run(1 << 23);
+    bench.run_plain(1 << 17);
   }
   state.counters["events/s"] = bench.ours.rate();
   state.counters["plain events/s"] = bench.plain.rate();

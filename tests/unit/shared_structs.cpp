@@ -162,11 +162,10 @@ const Layout &host_layout() {
 
       RECORD(TynSlabParameters),
       FIELD(TynSlabParameters, seed), FIELD(TynSlabParameters, first_photon), FIELD(TynSlabParameters, count),
-      FIELD(TynSlabParameters, slice), FIELD(TynSlabParameters, flags), FIELD(TynSlabParameters, layer_count),
+      FIELD(TynSlabParameters, batch), FIELD(TynSlabParameters, slice), FIELD(TynSlabParameters, batch_items), FIELD(TynSlabParameters, flags), FIELD(TynSlabParameters, layer_count),
       FIELD(TynSlabParameters, max_order), FIELD(TynSlabParameters, roulette_threshold),
       FIELD(TynSlabParameters, ior_above), FIELD(TynSlabParameters, ior_below), FIELD(TynSlabParameters, start),
-      FIELD(TynSlabParameters, beam), FIELD(TynSlabParameters, beam_radius), FIELD(TynSlabParameters, tally_count),
-      FIELD(TynSlabParameters, copies), FIELD(TynSlabParameters, radial_bins), FIELD(TynSlabParameters, angular_bins),
+      FIELD(TynSlabParameters, beam), FIELD(TynSlabParameters, beam_radius), FIELD(TynSlabParameters, tally_count), FIELD(TynSlabParameters, radial_bins), FIELD(TynSlabParameters, angular_bins),
       FIELD(TynSlabParameters, depth_bins), FIELD(TynSlabParameters, order_bins), FIELD(TynSlabParameters, path_bins),
       FIELD(TynSlabParameters, sweep_count), FIELD(TynSlabParameters, radial_scale),
       FIELD(TynSlabParameters, depth_scale), FIELD(TynSlabParameters, path_scale), FIELD(TynSlabParameters, radial),

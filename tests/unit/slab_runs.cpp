@@ -113,7 +113,7 @@ TEST(SlabRuns, StopAtATime) {
   options.seconds = 0.05;
   const SlabOutcome outcome = simulate(slab.view(), options);
   EXPECT_GE(outcome.run.seconds, 0.05);
-  EXPECT_GE(outcome.run.photons, 8192u);
+  EXPECT_GE(outcome.run.photons, 4096u);
 }
 
 struct Watch {
@@ -132,7 +132,7 @@ int32_t watch_three(void *user, double fraction) {
 TEST(SlabRuns, CancelledRunsKeepWhatIsDone) {
   ExactSlab slab(layers());
   Watch watch;
-  TynSlabOptions options = slab_options(1000000, 5);
+  TynSlabOptions options = slab_options(10000000, 5);
   options.progress = watch_three;
   options.user = &watch;
   TynSlabResult *result = nullptr;
@@ -142,7 +142,9 @@ TEST(SlabRuns, CancelledRunsKeepWhatIsDone) {
   TynSlabRun run{};
   run.size = sizeof run;
   ASSERT_EQ(tyn_slab_result_run(result, &run), TYN_OK);
-  EXPECT_EQ(run.photons, 3u * 8192);
+  EXPECT_GT(run.photons, 3u * 4096);
+  EXPECT_EQ(run.photons % 4096, 0u);
+  EXPECT_LT(run.photons, 10000000u);
   TynSlabTotals totals{};
   totals.size = sizeof totals;
   ASSERT_EQ(tyn_slab_result_totals(result, 0, &totals), TYN_OK);

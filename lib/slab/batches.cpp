@@ -5,14 +5,16 @@
 
 #include "media/phase.hpp"
 #include "slab/fresnel.hpp"
-#include "slab/round.hpp"
+#include "slab/batches.hpp"
 #include "slab/tallies.hpp"
 
 namespace tyn {
 
 namespace {
 
-constexpr uint64_t tally_memory = uint64_t(96) << 20; // bytes that all copies of the tallies may take
+constexpr uint64_t tally_memory = uint64_t(32) << 20; // bytes of the tallies of all batches of a launch
+constexpr uint64_t most_batches_at_once = 256;
+constexpr uint32_t gpu_slice = 4; // photons a work-item; its hardware keeps itself full with many of them
 
 template <class T>
 Buffer upload(TynContext &context, const std::vector<T> &data) {
@@ -68,7 +70,7 @@ uint32_t flags_of(const Slab &slab, const TynSlabOptions &options, const std::ve
 
 } // namespace
 
-RoundEngine::RoundEngine(TynContext &context_, const Slab &slab, const TynSlabOptions &options) : context(context_) {
+BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOptions &options) : context(context_) {
   base.seed[0] = uint32_t(options.seed);
   base.seed[1] = uint32_t(options.seed >> 32);
   base.layer_count = uint32_t(slab.layers.size());
@@ -99,21 +101,23 @@ RoundEngine::RoundEngine(TynContext &context_, const Slab &slab, const TynSlabOp
   }
   upload_sweep(slab, options);
 
+  allocate_tallies();
+}
+
+// Room for some batches at once: on a CPU a batch is what a work-item does, so that there have to be a few for each core.
+void BatchEngine::allocate_tallies() {
   const uint64_t bytes = uint64_t(base.tally_count) * sizeof(uint64_t);
   const uint64_t room = std::min({tally_memory, context.memory_available() / 2, context.largest_buffer()});
-  base.copies =
-      uint32_t(std::min<uint64_t>(room / bytes, context.is_gpu() ? 16 : context.device_info.compute_units * 8));
-  if (base.copies == 0)
+  batches = uint32_t(std::min<uint64_t>(room / bytes, most_batches_at_once));
+  if (batches == 0)
     fail(TYN_ERROR_OUT_OF_MEMORY, "the bins asked for need %llu bytes of device memory; %llu are left",
          (unsigned long long)bytes, (unsigned long long)context.memory_available());
-  tallies = Buffer(context, base.copies * bytes);
-  sums = Buffer(context, bytes);
-  context.fill_zero(tallies);
-  host_sums.resize(base.tally_count);
+  tallies = Buffer(context, batches * bytes);
+  host_tallies.resize(size_t(batches) * base.tally_count);
 }
 
 // Light enters along the direction that the first interface refracts it into.
-void RoundEngine::set_incidence(const Slab &slab, const TynSlabOptions &options) {
+void BatchEngine::set_incidence(const Slab &slab, const TynSlabOptions &options) {
   const double eta = slab.layers[0].ior / slab.ior_above;
   const double cosine = std::cos(options.angle), sine = std::sin(options.angle);
   if (options.incidence == TYN_INCIDENCE_COLLIMATED)
@@ -126,7 +130,7 @@ void RoundEngine::set_incidence(const Slab &slab, const TynSlabOptions &options)
 
 // What the weight of a walk in the slab becomes in a row's medium: with n events and the length s in a layer,
 // (sigma_s' / sigma_s)^n exp(-(sigma_t' - sigma_t) s).
-void RoundEngine::upload_sweep(const Slab &slab, const TynSlabOptions &options) {
+void BatchEngine::upload_sweep(const Slab &slab, const TynSlabOptions &options) {
   for (uint32_t c = 0; c < slab.channels; ++c) {
     std::vector<float> rows;
     for (uint32_t row = 0; row < options.sweep_count; ++row)
@@ -142,40 +146,32 @@ void RoundEngine::upload_sweep(const Slab &slab, const TynSlabOptions &options) 
   }
 }
 
-// Work-items: on a CPU some for each core, so that they end together, with slices long enough that their lanes stay full; on a
-// GPU as many as give each a few photons.
-uint32_t RoundEngine::work_items(uint32_t count) const {
-  if (context.is_gpu())
-    return std::clamp(count / 4, 1u, 1u << 18);
-  return std::clamp(count / (context.lanes() * 32), 1u,
-                    context.lanes() == 1 ? context.device_info.compute_units * 8 : base.copies);
-}
-
-void RoundEngine::prepare() {
+void BatchEngine::prepare() {
   TynSlabParameters nothing = base;
-  nothing.count = 0;
-  nothing.slice = 1;
+  nothing.batch = nothing.slice = nothing.batch_items = 1;
   launch(0, nothing, 1);
   context.finish();
 }
 
-const std::vector<int64_t> &RoundEngine::walk(size_t channel, uint64_t first, uint32_t count) {
+const int64_t *BatchEngine::walk(size_t channel, uint64_t first, uint32_t count, uint32_t batch) {
   TynSlabParameters parameters = base;
   parameters.first_photon[0] = uint32_t(first);
   parameters.first_photon[1] = uint32_t(first >> 32);
   parameters.count = count;
-  const uint32_t items = work_items(count);
-  parameters.slice = (count + items - 1) / items;
-  launch(channel, parameters, (count + parameters.slice - 1) / parameters.slice);
-  context.read(sums, host_sums.data(), host_sums.size() * sizeof(int64_t));
-  return host_sums;
+  parameters.batch = batch;
+  parameters.slice = context.is_gpu() ? std::min(batch, gpu_slice) : batch;
+  parameters.batch_items = (batch + parameters.slice - 1) / parameters.slice;
+  const uint32_t used = (count + batch - 1) / batch;
+  const size_t bytes = size_t(used) * base.tally_count * sizeof(int64_t);
+  context.fill_zero(tallies, bytes);
+  launch(channel, parameters, size_t(used) * parameters.batch_items);
+  context.read(tallies, host_tallies.data(), bytes);
+  return host_tallies.data();
 }
 
-void RoundEngine::launch(size_t channel, const TynSlabParameters &parameters, size_t items) {
+void BatchEngine::launch(size_t channel, const TynSlabParameters &parameters, size_t items) {
   context.launch("slab", "slab_walk", items, context.is_gpu() ? 64 : 1, layers[channel], phases, tables,
                  sweeps[channel], tallies, parameters);
-  const auto used = uint32_t(std::min<size_t>(items, parameters.copies));
-  context.launch("slab", "slab_reduce", parameters.tally_count, 64, tallies, sums, parameters.tally_count, used);
 }
 
 } // namespace tyn

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// A round of photons on the device.
+// Batches of photons on the device.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,16 @@
 
 namespace tyn {
 
-class RoundEngine {
+class BatchEngine {
 public:
-  RoundEngine(TynContext &context, const Slab &slab, const TynSlabOptions &options);
+  BatchEngine(TynContext &context, const Slab &slab, const TynSlabOptions &options);
 
   // Compiles the kernels.
   void prepare();
-  // Walks photons first .. first + count - 1 of a channel to their ends and returns the tallies. count <= TYN_SLAB_ROUND.
-  const std::vector<int64_t> &walk(size_t channel, uint64_t first, uint32_t count);
+  // Walks photons first .. first + count - 1 of a channel to their ends, in batches of `batch` (at most TYN_SLAB_BATCH); the last
+  // one may have fewer. No more than most_batches() at once. Returns the tallies, batch after batch.
+  const int64_t *walk(size_t channel, uint64_t first, uint32_t count, uint32_t batch);
+  uint32_t most_batches() const { return batches; }
 
   const TynSlabParameters &parameters() const { return base; }
   // The fraction of collimated light that the first interface reflects; of diffuse light the kernel keeps count.
@@ -28,15 +30,16 @@ private:
   void set_incidence(const Slab &slab, const TynSlabOptions &options);
   void upload_layers(const Slab &slab);
   void upload_sweep(const Slab &slab, const TynSlabOptions &options);
+  void allocate_tallies();
   void launch(size_t channel, const TynSlabParameters &parameters, size_t items);
-  uint32_t work_items(uint32_t count) const;
 
   TynContext &context;
   TynSlabParameters base{};
   double first_reflection = 0;
-  Buffer phases, tables, tallies, sums;
+  uint32_t batches = 0;
+  Buffer phases, tables, tallies;
   std::vector<Buffer> layers, sweeps; // one a channel
-  std::vector<int64_t> host_sums;
+  std::vector<int64_t> host_tallies;
 };
 
 } // namespace tyn
