@@ -330,9 +330,10 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
       scatters &= ~cut;
       crosses &= ~cut;
     }
+    // the interface first: it needs the old directions, and so waits for nothing that the scattering computes
+    LaneInt exits = slab_cross(&run, &walks, crosses, down, random[3]);
     LaneInt dies = slab_scatter(&run, &walks, scatters, random);
     events.all -= lane_as_uint(scatters);
-    LaneInt exits = slab_cross(&run, &walks, crosses, down, random[3]);
     // those that have just been begun have no random numbers yet: they are active, but not ready
     LaneInt over = exits | dies | cut;
     ready = walks.active.all & ~over;
