@@ -142,14 +142,12 @@ static LaneFloat slab_deflection(const SlabRun *run, const SlabWalks *walks, Lan
   away.all = lane_hg_one_minus_cos(lane_uniform(random[1]), walks->g.all);
   if (!(run->p.flags & TYN_SLAB_GENERAL))
     return away.all;
-  LaneInts scatters;
-  LaneUints words[4];
-  scatters.all = mask;
-  for (int i = 0; i < 4; ++i)
+  LaneUints words[3];
+  for (int i = 0; i < 3; ++i)
     words[i].all = random[i];
-  for (int lane = 0; lane < TYN_LANES; ++lane) {
-    int layer = walks->layer.lane[lane];
-    if (!scatters.lane[lane] || !run->layers[layer].general)
+  for (uint bits = lane_bits(mask); bits; bits &= bits - 1u) {
+    int lane = lane_lowest(bits), layer = walks->layer.lane[lane];
+    if (!run->layers[layer].general)
       continue;
     // fresh numbers, since azimuth and roulette use those of this event too
     uint4 counter = tyn_uint4(words[0].lane[lane], words[1].lane[lane], words[2].lane[lane], TYN_DOMAIN_PHASE);
@@ -299,8 +297,6 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
   slab_clear(&run, &walks, &sums);
   LaneUint ahead[4]; // the random numbers of the next step
   LaneInt ready = (LaneInt)(0);
-  LaneUints events;
-  events.all = (LaneUint)(0u);
   for (int i = 0; i < 4; ++i)
     ahead[i] = (LaneUint)(0u);
   for (uint step = 0u;; ++step) {
@@ -333,7 +329,7 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
     // the interface first: it needs the old directions, and so waits for nothing that the scattering computes
     LaneInt exits = slab_cross(&run, &walks, crosses, down, random[3]);
     LaneInt dies = slab_scatter(&run, &walks, scatters, random);
-    events.all -= lane_as_uint(scatters);
+    sums.events.all -= lane_as_uint(scatters);
     // those that have just been begun have no random numbers yet: they are active, but not ready
     LaneInt over = exits | dies | cut;
     ready = walks.active.all & ~over;
@@ -342,5 +338,11 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
       slab_empty_sums(&run, &sums);
   }
   slab_empty_sums(&run, &sums);
-  slab_add(run.tally + TYN_SLAB_TALLY_EVENTS, slab_lane_sum(&events));
+}
+
+// Empties the first `count` tallies. (oclgrind does not see that clEnqueueFillBuffer writes.)
+kernel void slab_clear_tallies(global ulong *tallies, uint count) {
+  uint tally = (uint)get_global_id(0);
+  if (tally < count)
+    tallies[tally] = 0ul;
 }

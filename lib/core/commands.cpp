@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // What a context does on its queue: kernels and copies.
-#include <algorithm>
-
 #include "core/context.hpp"
 #include "core/opencl.hpp"
 #include "core/program.hpp"
@@ -97,14 +95,13 @@ void TynContext::write(const tyn::Buffer &buffer, const void *host, size_t bytes
                 "clEnqueueWriteBuffer", tyn::format("%zu bytes", bytes));
 }
 
-void TynContext::fill_zero(const tyn::Buffer &buffer, size_t bytes) {
-  bytes = std::min(bytes, buffer.size());
-  if (bytes == 0)
+void TynContext::fill_zero(const tyn::Buffer &buffer) {
+  if (buffer.size() == 0)
     return;
   const cl_uint zero = 0;
-  const size_t pattern = bytes % sizeof zero == 0 ? sizeof zero : 1;
-  tyn::check_cl(clEnqueueFillBuffer(queue, buffer.get(), &zero, pattern, 0, bytes, 0, nullptr, nullptr),
-                "clEnqueueFillBuffer", tyn::format("%zu bytes", bytes));
+  const size_t pattern = buffer.size() % sizeof zero == 0 ? sizeof zero : 1;
+  tyn::check_cl(clEnqueueFillBuffer(queue, buffer.get(), &zero, pattern, 0, buffer.size(), 0, nullptr, nullptr),
+                "clEnqueueFillBuffer", tyn::format("%zu bytes", buffer.size()));
 }
 
 void TynContext::flush() { tyn::check_cl(clFlush(queue), "clFlush"); }

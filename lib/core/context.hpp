@@ -77,8 +77,7 @@ struct TynContext {
   }
   void read(cl_mem buffer, void *host, size_t bytes, size_t offset = 0);
   void write(const tyn::Buffer &buffer, const void *host, size_t bytes, size_t offset = 0);
-  // The first `bytes`, or all of it.
-  void fill_zero(const tyn::Buffer &buffer, size_t bytes = SIZE_MAX);
+  void fill_zero(const tyn::Buffer &buffer);
   void flush();
   void finish();
 

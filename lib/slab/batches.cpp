@@ -162,16 +162,16 @@ const int64_t *BatchEngine::walk(size_t channel, uint64_t first, uint32_t count,
   parameters.slice = context.is_gpu() ? std::min(batch, gpu_slice) : batch;
   parameters.batch_items = (batch + parameters.slice - 1) / parameters.slice;
   const uint32_t used = (count + batch - 1) / batch;
-  const size_t bytes = size_t(used) * base.tally_count * sizeof(int64_t);
-  context.fill_zero(tallies, bytes);
-  launch(channel, parameters, size_t(used) * parameters.batch_items);
-  context.read(tallies, host_tallies.data(), bytes);
+  launch(channel, parameters, used);
+  context.read(tallies, host_tallies.data(), size_t(used) * base.tally_count * sizeof(int64_t));
   return host_tallies.data();
 }
 
-void BatchEngine::launch(size_t channel, const TynSlabParameters &parameters, size_t items) {
-  context.launch("slab", "slab_walk", items, context.is_gpu() ? 64 : 1, layers[channel], phases, tables,
-                 sweeps[channel], tallies, parameters);
+void BatchEngine::launch(size_t channel, const TynSlabParameters &parameters, uint32_t used) {
+  const uint32_t total = used * base.tally_count;
+  context.launch("slab", "slab_clear_tallies", total, 64, tallies, total);
+  context.launch("slab", "slab_walk", size_t(used) * parameters.batch_items, context.is_gpu() ? 64 : 1, layers[channel],
+                 phases, tables, sweeps[channel], tallies, parameters);
 }
 
 } // namespace tyn

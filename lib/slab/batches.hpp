@@ -31,7 +31,7 @@ private:
   void upload_layers(const Slab &slab);
   void upload_sweep(const Slab &slab, const TynSlabOptions &options);
   void allocate_tallies();
-  void launch(size_t channel, const TynSlabParameters &parameters, size_t items);
+  void launch(size_t channel, const TynSlabParameters &parameters, uint32_t used);
 
   TynContext &context;
   TynSlabParameters base{};

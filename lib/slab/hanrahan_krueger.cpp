@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Single scattering in a finite slab (Hanrahan & Krueger 1993, eq. 10 and 11).
+// Single scattering in a finite slab (Hanrahan & Krueger 1993, the first-order terms).
 #include <cmath>
 
 #include "core/context.hpp"

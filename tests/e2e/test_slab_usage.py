@@ -2,28 +2,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """tyndall-slab: --help, wrong command lines, files that cannot be written."""
 import os
+import resource
 import unittest
 
 from tools import ToolTest, run
 
 LAYER = ("--sigma-a", "1", "--sigma-s", "9")
 
-OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --phase --ior-above --ior-below --incidence --beam
-  --photons --target-error --time-limit --seed --max-order --radial --angular --radial-angular --depth --orders --path
-  --sweep-albedo --exact --json --csv --plot --unit --device -q --quiet --version --help""".split()
+OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --phase --ior-above --ior-below --incidence
+  --beam --photons --target-error --time-limit --seed --max-order --radial --angular --radial-angular --depth
+  --orders --path --sweep-albedo --exact --json --csv --plot --unit --device -q --quiet --version --help""".split()
 
 # Wrong values of options beside LAYER; the option is named in the answer.
-WRONG = """--thickness 0, --thickness -1, --thickness nan, --thickness thick, --ior 0.9, --ior 4.1, --ior nan, --g 1, --g -1,
-  --g nan, --photons 0, --photons -1, --photons 1.5, --photons 1e16, --photons nan, --photons inf, --photons many,
-  --target-error -1, --target-error nan, --time-limit -1, --time-limit inf, --seed -1, --seed 1.5,
-  --seed 18446744073709551616, --max-order 0, --max-order -1, --max-order 1e10, --radial 5, --radial 5:0, --radial 0:5,
-  --radial 5:1e12, --radial 5:2.5, --radial inf:5, --radial nan:5, --radial 5:5:5, --angular 0, --angular 1e12,
-  --depth -1:5, --orders -1, --orders 1e9, --path 1:, --sweep-albedo 1.5, --sweep-albedo -0.1, --sweep-albedo 1,
-  --sweep-albedo 0.5:0.1:3, --sweep-albedo 0:0.9:1, --sweep-albedo 0:0.9:1e9, --sweep-albedo nan, --phase mist,
-  --phase hg:0.5, --phase two-lobe:0.5, --phase two-lobe:1,0,0.5, --phase two-lobe:0,0,2, --phase draine:0,-1,
-  --phase mie:0,1.3,0, --phase mie:1e9,1.3,0, --phase mie:1,0,0, --phase mie:1,1.3, --incidence up,
-  --incidence angle:90, --incidence angle:-1, --incidence angle:nan, --beam laser, --beam disc, --beam disc:0,
-  --beam gaussian:inf, --ior-above 0, --ior-below 9, --unit 1, --plot out.jpg""".replace("\n", " ").split(", ")
+WRONG = """--thickness 0, --thickness -1, --thickness nan, --thickness thick, --ior 0.9, --ior 4.1, --ior nan,
+  --g 1, --g -1, --g nan, --photons 0, --photons -1, --photons 1.5, --photons 1e16, --photons nan,
+  --photons inf, --photons many, --target-error -1, --target-error nan, --time-limit -1, --time-limit inf,
+  --seed -1, --seed 1.5, --seed 18446744073709551616, --max-order 0, --max-order -1, --max-order 1e10,
+  --radial 5, --radial 5:0, --radial 0:5, --radial 5:1e12, --radial 5:2.5, --radial inf:5, --radial nan:5,
+  --radial 5:5:5, --angular 0, --angular 1e12, --depth -1:5, --orders -1, --orders 1e9, --path 1:,
+  --sweep-albedo 1.5, --sweep-albedo -0.1, --sweep-albedo 1, --sweep-albedo 0.5:0.1:3, --sweep-albedo 0:0.9:1,
+  --sweep-albedo 0:0.9:1e9, --sweep-albedo nan, --phase mist, --phase hg:0.5, --phase two-lobe:0.5,
+  --phase two-lobe:1,0,0.5, --phase two-lobe:0,0,2, --phase draine:0,-1, --phase mie:0,1.3,0,
+  --phase mie:1e9,1.3,0, --phase mie:1,0,0, --phase mie:1,1.3, --incidence up, --incidence angle:90,
+  --incidence angle:-1, --incidence angle:nan, --beam laser, --beam disc, --beam disc:0, --beam gaussian:inf,
+  --ior-above 0, --ior-below 9, --unit 1, --plot out.jpg""".replace("\n", " ").split(", ")
 
 
 class SlabUsage(ToolTest):
@@ -90,6 +92,19 @@ class SlabUsage(ToolTest):
         for path in (self.path("none/out.csv"), self.folder, "/dev/null/out.csv"):
             self.check_fails(run("tyndall-slab", *LAYER, "--csv", path), 3, path)
         self.assertEqual(os.listdir(self.folder), ["link"])
+
+    def test_a_full_disk_leaves_nothing_and_an_older_file_alone(self):
+        def small_files():  # stands for a full disk: a write beyond 4 KiB fails
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        older = self.write("out.csv", "the older file")
+        arguments = ("tyndall-slab", *LAYER, "--photons", 1000, "--radial", "1:500", "-q")
+        self.check_succeeds(run(*arguments))  # fills the kernel caches, so that the table is the only file written next
+        result = run(*arguments, "--csv", older, preexec_fn=small_files, restore_signals=False)
+        self.check_fails(result, 3, "out.csv")
+        with open(older) as file:
+            self.assertEqual(file.read(), "the older file")
+        self.assertEqual(os.listdir(self.folder), ["out.csv"])
 
     def test_special_files_are_written_to_and_not_replaced(self):
         self.check_succeeds(run("tyndall-slab", *LAYER, "--photons", 1000, "--csv", "/dev/null", "-q"))

@@ -50,7 +50,7 @@ static inline TynSingleScattering tyn_single_scattering(void) {
 }
 
 /* BRDF and BTDF of single scattering in a finite slab with Fresnel boundaries, without light that boundaries reflect back
- * inside (Hanrahan & Krueger 1993, eq. 10 and 11; in the limit of an index-matched half-space, Seeliger's law). Cosines are
+ * inside (Hanrahan & Krueger 1993, the first-order terms; in the limit of an index-matched half-space, Seeliger's law). Cosines are
  * those outside, of the direction to the light and of the direction to the viewer (above for the BRDF, below for the BTDF),
  * in (0, 1]; `azimuth`: between the two, radians; 0 means that light and viewer are on the same side of the normal.
  * `brdf`, `btdf`: 1/sr; either may be NULL. */
@@ -109,7 +109,9 @@ typedef struct TynAddingDoublingResult {
 /* Reflectance and transmittance of a slab by adding and doubling (van de Hulst 1980; Prahl 1995), with delta-M scaling of the
  * phase function (Wiscombe 1977) where its Legendre series is longer than the quadrature resolves.
  * `reflected`, `transmitted`: scattered light per solid angle, 1/sr (BRDF x cosine, mean over azimuth), at options->cosines in
- * the medium above and in the medium below; each may be NULL. A transmitted direction below an infinite layer is 0.
+ * the medium above and in the medium below; each may be NULL. A transmitted direction below an infinite layer is 0. Refined on
+ * until they change by less than 10 x tolerance, or max_nodes: `accuracy` and `nodes` speak of the totals. What delta-M takes for
+ * unscattered, the sharpest part of a forward peak, is missing from `transmitted`.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. `message`, of `message_capacity` bytes, receives what was wrong; may be NULL. */
 TYN_API TynStatus tyn_adding_doubling(const TynSlab *slab, const TynAddingDoublingOptions *options,
                                       TynAddingDoublingResult *result, double *reflected, double *transmitted,

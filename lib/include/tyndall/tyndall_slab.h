@@ -62,7 +62,7 @@ typedef struct TynSlabOptions {
   uint32_t beam;       /* TYN_BEAM_* */
   double beam_radius;  /* DISC, GAUSSIAN: > 0 */
   uint64_t photons;    /* a channel; at most 1e15; 0: no limit. Default 1e6 */
-  double seconds;      /* wall-clock; 0 (default): no limit; looked at between rounds */
+  double seconds;      /* wall-clock; 0 (default): no limit; looked at between launches of about 0.05 s */
   double target_error; /* stops when the standard errors of the total reflectance and transmittance of every channel are
                           below it; 0 (default): none. Looked at at fixed photon counts, so where it stops is reproducible. */
   uint64_t seed;
@@ -158,9 +158,9 @@ TYN_API const char *tyn_slab_quantity_name(uint32_t quantity);
 typedef struct TynSlabResult TynSlabResult;
 
 /* Walks photons through a slab. Every channel has photons of its own, with the same random numbers. Every photon that is
- * started is finished. The same slab, options and photon count on the same device give the same bits, and the first photons
- * of a longer run are those of a shorter one.
- * `result`: receives a new object; NULL on failure, except CANCELLED, where it holds what was done (at least one round).
+ * started is finished. The same slab, options and photon count on the same device give the same bits; a longer run begins with
+ * the photons of a shorter one.
+ * `result`: receives a new object; NULL on failure, except CANCELLED, where it holds what was done (at least one batch).
  * Errors: INVALID_ARGUMENT (which field, its value, what is allowed; photons, seconds and target_error all 0; a half-space
  * with a last layer that does not absorb and no max_order, whose walks would never end), OUT_OF_MEMORY (too many bins),
  * DEVICE, KERNEL_BUILD, CANCELLED. */
