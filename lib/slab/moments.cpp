@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "slab/moments.hpp"
 
@@ -20,9 +20,11 @@ void Moments::add(const std::vector<double> &sums, uint64_t photons) {
 TynEstimate Moments::estimate(size_t index) const {
   const double mean = sum[index] / photons_total;
   if (batches < 2)
-    return {mean, 0};
-  const double spread = std::max(0.0, sum_of_squares[index] - mean * sum[index]);
-  return {mean, std::sqrt(spread / (batches - 1) / photons_total)};
+    return {mean, std::numeric_limits<double>::quiet_NaN()};
+  // what the rounding of the sums can make of batches that are all alike is no spread
+  const double rounding = batches * std::numeric_limits<double>::epsilon() * sum_of_squares[index];
+  const double spread = sum_of_squares[index] - mean * sum[index];
+  return {mean, spread > rounding ? std::sqrt(spread / (batches - 1) / photons_total) : 0};
 }
 
 } // namespace tyn

@@ -19,7 +19,7 @@ public:
   void add(const std::vector<double> &sums, uint64_t photons);
 
   // Batches may differ in size n_b. With their means m_b and the mean m of all, the variance of one photon's contribution is
-  // estimated by sum n_b (m_b - m)^2 / (batches - 1); 0 for a single batch.
+  // estimated by sum n_b (m_b - m)^2 / (batches - 1). A single batch says nothing of its error: NaN.
   TynEstimate estimate(size_t index) const;
 
 private:

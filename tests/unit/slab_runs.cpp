@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // The same seed gives the same bits, over however many lanes; limits, progress and cancelling.
+#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,19 @@ TEST(SlabRuns, EnergyIsConserved) {
                 1e-6);
     EXPECT_EQ(totals.cut.value, 0);
   }
+}
+
+// Where nothing varies the error is 0; where one photon says nothing of it, it is not a number.
+TEST(SlabRuns, ErrorsOfWhatDoesNotVary) {
+  ExactSlab slab({{1, 4, 0.3, 1.37, 1}, {0.5, 3, 0, 1.2, 1}});
+  const TynSlabTotals totals = simulate(slab.view(), slab_options(300000)).totals[0];
+  EXPECT_EQ(totals.cut.standard_error, 0);
+  ExactSlab dark({{1, 0, 0, 1.37, INFINITY}});
+  const TynSlabTotals specular = simulate(dark.view(), slab_options(300000)).totals[0];
+  const double reflected = std::pow(0.37 / 2.37, 2);
+  EXPECT_NEAR(specular.specular_reflectance.value, reflected, 1e-7);
+  EXPECT_EQ(specular.specular_reflectance.standard_error, 0);
+  EXPECT_TRUE(std::isnan(simulate(slab.view(), slab_options(1)).totals[0].reflectance.standard_error));
 }
 
 TEST(SlabRuns, StopAtATargetError) {

@@ -96,7 +96,7 @@ static inline TynSlabOptions tyn_slab_options(void) {
   return options;
 }
 
-/* A Monte Carlo estimate and its standard error, from the means of independent batches. */
+/* A Monte Carlo estimate and its standard error, from the means of independent batches; NaN if there was but one photon. */
 typedef struct TynEstimate {
   double value;
   double standard_error;
@@ -136,8 +136,9 @@ enum {
   TYN_SLAB_ANGULAR_TRANSMITTANCE = 4, /* angular_bins (in the medium below), 1/sr */
   TYN_SLAB_RADIAL_ANGULAR_REFLECTANCE = 5,   /* radial_bins x angular_bins, row by radius, 1/(length^2 sr) */
   TYN_SLAB_RADIAL_ANGULAR_TRANSMITTANCE = 6, /* the same for transmittance */
-  TYN_SLAB_DEPTH_ABSORBED =
-      7, /* depth_bins: fraction absorbed per depth, 1/length; unscattered light's share included */
+  TYN_SLAB_DEPTH_ABSORBED = 7, /* depth_bins: fraction absorbed per depth, 1/length, from the weights of all events.
+                                  Another estimate than LAYER_ABSORBED, which keeps the energy in balance: the sums agree
+                                  within their errors */
   TYN_SLAB_DEPTH_FLUENCE =
       8, /* depth_bins: fluence integrated over the plane, i.e. path length per depth; no unit. Where
                                   sigma_t = 0 from the length of the flights, elsewhere from collisions */
