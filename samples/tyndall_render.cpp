@@ -4,6 +4,7 @@
 // tyndall-render: a glTF model in, an OpenEXR image of it out.
 #include "common/interrupt.hpp"
 #include "common/json.hpp"
+#include "common/outputs.hpp"
 #include "common/progress.hpp"
 #include "common/render_arguments.hpp"
 #include "common/render_setup.hpp"

@@ -22,10 +22,17 @@ public:
     return app->get_description() + make_groups(app, mode);
   }
 
-  // The name of what an option takes, without what CLI11 adds about checks: ranges are in the descriptions.
+  // The name of what an option takes, without what CLI11 adds behind a colon about checks: ranges are in the
+  // descriptions. A name's own colon is written twice.
   std::string make_option_opts(const CLI::Option *option) const override {
     const std::string type = option->get_type_name();
-    return type.empty() ? "" : " " + type.substr(0, type.find(':'));
+    std::string name = type.empty() ? "" : " ";
+    for (size_t i = 0; i < type.size(); ++i) {
+      if (type[i] == ':' && type.compare(i++, 2, "::") != 0)
+        break;
+      name += type[i];
+    }
+    return name;
   }
 };
 

@@ -52,19 +52,22 @@ void Progress::finish() {
 
 // "29/64 samples, error 3.1 %, 12 s left"
 std::string Progress::details(const ProgressState &state) const {
-  char text[96];
+  char text[96] = "";
+  std::string result;
+  const auto append = [&](const std::string &part) { result += (result.empty() ? "" : ", ") + part; };
   if (state.sample_goal)
     std::snprintf(text, sizeof text, "%u/%u samples", state.samples, state.sample_goal);
-  else
+  else if (state.samples)
     std::snprintf(text, sizeof text, "%u samples", state.samples);
-  std::string result = text;
+  if (*text)
+    append(text);
   if (state.error > 0.0) {
-    std::snprintf(text, sizeof text, ", error %.2g %%", 100.0 * state.error);
-    result += text;
+    std::snprintf(text, sizeof text, "error %.2g %%", 100.0 * state.error);
+    append(text);
   }
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   if (state.fraction > 0.01 && state.fraction < 1.0)
-    result += ", " + format_duration(elapsed * (1.0 - state.fraction) / state.fraction) + " left";
+    append(format_duration(elapsed * (1.0 - state.fraction) / state.fraction) + " left");
   return result;
 }
 
@@ -80,7 +83,8 @@ void Progress::print_line(const ProgressState &state) {
   if (tenth <= last_tenth_)
     return;
   last_tenth_ = tenth;
-  std::fprintf(stderr, "%s: %d %%, %s\n", tool_name_, 10 * tenth, details(state).c_str());
+  const std::string more = details(state);
+  std::fprintf(stderr, "%s: %d %%%s%s\n", tool_name_, 10 * tenth, more.empty() ? "" : ", ", more.c_str());
 }
 
 } // namespace tool

@@ -3,12 +3,12 @@
 #include "common/render_arguments.hpp"
 
 #include "common/help.hpp"
+#include "common/outputs.hpp"
 
 #include <tyndall/tyndall_io.h>
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 namespace tool {
 namespace {
@@ -70,30 +70,6 @@ EnvironmentArgument parse_environment(const std::string &text) {
   else if (!parse_radiance(text.substr(prefix.size()), environment.radiance))
     throw Error(kUsage, "--env " + text + ": expected constant:R,G,B with numbers from 0 up");
   return environment;
-}
-
-bool has_extension(const std::string &path, const std::string &extension) {
-  if (path.size() <= extension.size())
-    return false;
-  std::string end = path.substr(path.size() - extension.size());
-  for (char &c : end)
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return end == extension;
-}
-
-// The file that a path leads to, whether it is there or not, through links.
-std::filesystem::path target_of(const std::string &path) {
-  std::error_code ignored;
-  std::filesystem::path target = path;
-  for (int link = 0; link < 8 && std::filesystem::is_symlink(target, ignored); ++link)
-    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(target, ignored), ignored);
-}
-
-// One file must not take the place of another that is read or written.
-void check_distinct(const std::string &output, const std::string &other) {
-  if (!output.empty() && target_of(output) == target_of(other))
-    throw Error(kUsage, output + " is the same file as " + other);
 }
 
 void check_outputs(const RenderArguments &arguments) {

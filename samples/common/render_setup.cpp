@@ -4,14 +4,9 @@
 
 #include <tyndall/tyndall_io.h>
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace tool {
 namespace {
@@ -125,20 +120,6 @@ Lighting set_lighting(TynScene *scene, const RenderArguments &arguments, const T
     return Lighting::kNone;
   add_default_light(scene, camera);
   return Lighting::kDefault;
-}
-
-void check_writable(const std::string &path) {
-  const size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-  struct stat status;
-  if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
-    throw Error(kFailed, path + " is a folder");
-  if (stat(folder.c_str(), &status) != 0)
-    throw Error(kFailed, path + " cannot be written: its folder: " + std::strerror(errno));
-  if (!S_ISDIR(status.st_mode))
-    throw Error(kFailed, path + " cannot be written: " + folder + " is not a folder");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw Error(kFailed, path + " cannot be written: its folder: " + std::strerror(errno));
 }
 
 } // namespace tool

@@ -27,7 +27,4 @@ enum class Lighting {
 // Sets the environment, or a default light if there is no other. The default light comes from beside the camera.
 Lighting set_lighting(TynScene *scene, const RenderArguments &arguments, const TynCamera &camera);
 
-// Throws if a file could not be created at `path`, so that an hour's rendering is not lost.
-void check_writable(const std::string &path);
-
 } // namespace tool

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// tyndall-slab: Monte Carlo light transport in layered slabs and half-spaces.
+#include "common/interrupt.hpp"
+#include "common/outputs.hpp"
+#include "common/progress.hpp"
+#include "slab/outputs.hpp"
+#include "slab/stack.hpp"
+
+#include <optional>
+
+namespace {
+
+using namespace slab;
+using tool::check;
+
+constexpr const char *kName = "tyndall-slab";
+constexpr tool::ExitCode kUnwritable = tool::kBadInput; // files have one status, whichever way they are used
+
+struct Display {
+  bool quiet;
+  std::optional<tool::Progress> progress;
+};
+
+int32_t on_progress(void *user, double fraction) {
+  tool::ProgressState state;
+  state.fraction = fraction;
+  // Begun here, so that compiling kernels does not count as time for photons.
+  Display &display = *static_cast<Display *>(user);
+  if (!display.progress)
+    display.progress.emplace(kName, display.quiet);
+  display.progress->update(state);
+  return tool::interrupted();
+}
+
+void check_outputs(const Arguments &arguments) {
+  for (const std::string *file : {&arguments.csv, &arguments.plot})
+    if (!file->empty())
+      tool::check_writable(*file, kUnwritable);
+}
+
+// Runs until a limit is reached or the user has had enough; there is always a result, of one round at least.
+void simulate(TynContext *context, const Stack &stack, bool quiet, Results &results) {
+  Display display = {quiet, {}};
+  TynSlabOptions options = stack.options();
+  options.progress = on_progress;
+  options.user = &display;
+  TynSlabResult *handle = nullptr;
+  const TynStatus status = tyn_slab_simulate(context, &stack.slab(), &options, &handle);
+  const ResultHandle owner(handle);
+  if (display.progress)
+    display.progress->finish();
+  results.interrupted = status == TYN_ERROR_CANCELLED;
+  if (!results.interrupted)
+    check(status, context, status == TYN_ERROR_INVALID_ARGUMENT ? tool::kUsage : tool::kFailed);
+  read_results(handle, results);
+}
+
+void write_outputs(const Arguments &arguments, const Results &results) {
+  if (!arguments.csv.empty())
+    tool::write_file(arguments.csv, to_csv(arguments, results), kUnwritable);
+  if (!arguments.plot.empty())
+    tool::write_file(arguments.plot, tool::draw_png(to_figure(arguments, results)), kUnwritable);
+  if (arguments.json)
+    tool::print_json(to_json(kName, arguments, results));
+  else if (!arguments.quiet)
+    print_text(arguments, results);
+}
+
+int body(int argc, char **argv) {
+  Arguments arguments;
+  if (!parse_arguments(kName, argc, argv, arguments))
+    return tool::kOk;
+  check_outputs(arguments);
+  const Stack stack(arguments);
+  std::vector<TynAddingDoublingResult> exact;
+  if (arguments.exact) // before the photons: what it refuses should not cost an hour
+    exact = solve_exactly(stack.slab(), arguments.options);
+  const tool::Context context = tool::create_context(arguments.device);
+  Results results;
+  check(tyn_context_device(context.get(), &results.device), context.get());
+  results.names = channel_names(arguments);
+  tool::catch_interrupt();
+  simulate(context.get(), stack, arguments.quiet, results);
+  for (size_t c = 0; c < exact.size(); ++c)
+    results.channels[c].exact = exact[c];
+  write_outputs(arguments, results);
+  return results.interrupted ? tool::kInterrupted : tool::kOk;
+}
+
+} // namespace
+
+int main(int argc, char **argv) { return tool::run(kName, argc, argv, body); }
