@@ -127,28 +127,36 @@ typedef struct TynSlabRun {
   uint32_t channel_count, layer_count;
 } TynSlabRun;
 
-/* What is resolved. Reflected and transmitted light is diffuse light (scattered at least once) unless said otherwise. */
+/* What is resolved: how many values, and what they are. Reflected and transmitted light is diffuse light (scattered at least
+ * once) unless said otherwise; each REFLECTANCE is followed by its TRANSMITTANCE.
+ *   LAYER_ABSORBED   layer_count: fraction absorbed in each layer
+ *   RADIAL           radial_bins: mean over the ring, 1/length^2
+ *   ANGULAR          angular_bins: per solid angle in the medium above (below), 1/sr: BRDF (BTDF) x cosine
+ *   RADIAL_ANGULAR   radial_bins x angular_bins, row by radius: 1/(length^2 sr)
+ *   DEPTH_ABSORBED   depth_bins: fraction absorbed per depth, 1/length, from the weights of all events, unscattered light's too.
+ *                    Another estimate than LAYER_ABSORBED, which keeps the energy in balance: the sums agree within their errors
+ *   DEPTH_FLUENCE    depth_bins: fluence integrated over the plane, which is the path length per depth; no unit. Where
+ *                    sigma_t = 0 from the length of the flights, elsewhere from collisions
+ *   ORDER            order_bins: fraction that leaves after 0, 1, ... scattering events
+ *   PATH             path_bins: fraction per path length inside the slab, 1/length
+ *   SWEEP            sweep_count: total (not only diffuse) reflectance, transmittance and absorption of each row */
 enum {
-  TYN_SLAB_LAYER_ABSORBED = 0,        /* layer_count: fraction absorbed in each layer */
-  TYN_SLAB_RADIAL_REFLECTANCE = 1,    /* radial_bins: mean over the ring, 1/length^2 */
-  TYN_SLAB_RADIAL_TRANSMITTANCE = 2,  /* radial_bins, 1/length^2 */
-  TYN_SLAB_ANGULAR_REFLECTANCE = 3,   /* angular_bins: per solid angle (in the medium above), 1/sr: BRDF x cosine */
-  TYN_SLAB_ANGULAR_TRANSMITTANCE = 4, /* angular_bins (in the medium below), 1/sr */
-  TYN_SLAB_RADIAL_ANGULAR_REFLECTANCE = 5,   /* radial_bins x angular_bins, row by radius, 1/(length^2 sr) */
-  TYN_SLAB_RADIAL_ANGULAR_TRANSMITTANCE = 6, /* the same for transmittance */
-  TYN_SLAB_DEPTH_ABSORBED = 7, /* depth_bins: fraction absorbed per depth, 1/length, from the weights of all events.
-                                  Another estimate than LAYER_ABSORBED, which keeps the energy in balance: the sums agree
-                                  within their errors */
-  TYN_SLAB_DEPTH_FLUENCE =
-      8, /* depth_bins: fluence integrated over the plane, i.e. path length per depth; no unit. Where
-                                  sigma_t = 0 from the length of the flights, elsewhere from collisions */
-  TYN_SLAB_ORDER_REFLECTANCE = 9,    /* order_bins: fraction reflected after 0, 1, ... scattering events */
-  TYN_SLAB_ORDER_TRANSMITTANCE = 10, /* the same for transmittance */
-  TYN_SLAB_PATH_REFLECTANCE = 11,    /* path_bins: fraction per path length inside the slab, 1/length */
-  TYN_SLAB_PATH_TRANSMITTANCE = 12,  /* the same for transmittance */
-  TYN_SLAB_SWEEP_REFLECTANCE = 13,   /* sweep_count: total reflectance (specular + diffuse) of each row */
-  TYN_SLAB_SWEEP_TRANSMITTANCE = 14, /* sweep_count: total transmittance (direct + diffuse) */
-  TYN_SLAB_SWEEP_ABSORBED = 15,      /* sweep_count */
+  TYN_SLAB_LAYER_ABSORBED = 0,
+  TYN_SLAB_RADIAL_REFLECTANCE = 1,
+  TYN_SLAB_RADIAL_TRANSMITTANCE = 2,
+  TYN_SLAB_ANGULAR_REFLECTANCE = 3,
+  TYN_SLAB_ANGULAR_TRANSMITTANCE = 4,
+  TYN_SLAB_RADIAL_ANGULAR_REFLECTANCE = 5,
+  TYN_SLAB_RADIAL_ANGULAR_TRANSMITTANCE = 6,
+  TYN_SLAB_DEPTH_ABSORBED = 7,
+  TYN_SLAB_DEPTH_FLUENCE = 8,
+  TYN_SLAB_ORDER_REFLECTANCE = 9,
+  TYN_SLAB_ORDER_TRANSMITTANCE = 10,
+  TYN_SLAB_PATH_REFLECTANCE = 11,
+  TYN_SLAB_PATH_TRANSMITTANCE = 12,
+  TYN_SLAB_SWEEP_REFLECTANCE = 13,
+  TYN_SLAB_SWEEP_TRANSMITTANCE = 14,
+  TYN_SLAB_SWEEP_ABSORBED = 15,
   TYN_SLAB_QUANTITY_COUNT = 16
 };
 
