@@ -12,6 +12,7 @@
 // closed meshes lose nothing.
 #include "lanes.clh"
 #include "lane_math.clh"
+#include "distance_bound.clh"
 #include "interface.clh"
 #include "phase.clh"
 #include "random.clh"
@@ -35,6 +36,7 @@ typedef struct {
   global const TynWalkEntry *entries;
   global TynWalkExit *exits;
   global TynWalkTally *tallies;
+  global const uchar *distances; // see distance_bound.clh
   global const uint *turned; // a bit a triangle: its second and third vertex are in the other order than the caller's
 } WalkBuffers;
 
@@ -56,6 +58,7 @@ typedef struct {
   LaneFloats absorbed[3];
   LaneFloats balance[3];
   LaneUints scatterings;
+  DistanceGrids grids;
   // used lane by lane
   float reflected[TYN_LANES]; // fraction of the entering weight
   uint mesh[TYN_LANES];
@@ -209,6 +212,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   }
   global const TynMediumRecord *medium = buffers.media + medium_index;
   walks->mesh[lane] = mesh;
+  distance_grids_set(&walks->grids, lane, buffers.geometry.meshes + mesh);
   walks->ior[lane] = medium->ior;
   walks->g.lane[lane] = medium->g;
   walks->phase[lane] = medium->phase;
@@ -279,38 +283,40 @@ static float walk_distance_to_bounds(global const TynMeshRecord *mesh, float3 or
   return fmax(0.0f, fmin(x, fmin(y, z)));
 }
 
-// Looks for the boundary along every lane's flight. Where it is met first, `at_surface` is set and `flight` shortened to it.
-// Walks that go out through a hole end here.
-static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, LaneInts *at_surface) {
-  for (int lane = 0; lane < TYN_LANES; ++lane) {
-    at_surface->lane[lane] = 0;
-    if (!walks->active.lane[lane]) {
-      flight->lane[lane] = 0.0f;
-      continue;
-    }
-    global const TynMeshRecord *mesh = buffers.geometry.meshes + walks->mesh[lane];
-    float3 origin = walk_vector(walks->position, lane);
-    float3 direction = walk_vector(walks->direction, lane);
-    TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, -mesh->slack,
-                             flight->lane[lane], TYN_LEAVING);
-    if (hit.triangle != TYN_NONE) {
-      at_surface->lane[lane] = -1;
-      flight->lane[lane] = fmax(hit.t, 0.0f);
-      walks->triangle[lane] = hit.triangle;
-      walks->u[lane] = hit.u;
-      walks->v[lane] = hit.v;
-      continue;
-    }
-    // never farther than where it leaves the bounds of the mesh, through which it can only get by a hole
-    float leaves = walk_distance_to_bounds(mesh, origin, direction);
-    if (flight->lane[lane] <= leaves)
-      continue;
-    flight->lane[lane] = leaves;
+// Looks for the boundary along a lane's flight. Where it is met first, `at_surface` is set and `flight` shortened to it. A walk
+// that goes out through a hole ends here.
+static void walk_trace_lane(WalkBuffers buffers, Walks *walks, int lane, LaneFloats *flight, LaneInts *at_surface) {
+  global const TynMeshRecord *mesh = buffers.geometry.meshes + walks->mesh[lane];
+  float3 origin = walk_vector(walks->position, lane);
+  float3 direction = walk_vector(walks->direction, lane);
+  TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, -mesh->slack,
+                           flight->lane[lane], TYN_LEAVING);
+  if (hit.triangle != TYN_NONE) {
     at_surface->lane[lane] = -1;
-    walks->triangle[lane] = TYN_NONE;
-    walk_set_vector(walks->position, lane, origin + direction * leaves);
-    walks->status.lane[lane] = TYN_WALK_LEAKED;
+    flight->lane[lane] = fmax(hit.t, 0.0f);
+    walks->triangle[lane] = hit.triangle;
+    walks->u[lane] = hit.u;
+    walks->v[lane] = hit.v;
+    return;
   }
+  // never farther than where it leaves the bounds of the mesh, through which it can only get by a hole
+  float leaves = walk_distance_to_bounds(mesh, origin, direction);
+  if (flight->lane[lane] <= leaves)
+    return;
+  flight->lane[lane] = leaves;
+  at_surface->lane[lane] = -1;
+  walks->triangle[lane] = TYN_NONE;
+  walk_set_vector(walks->position, lane, origin + direction * leaves);
+  walks->status.lane[lane] = TYN_WALK_LEAKED;
+}
+
+// The same for all lanes. A flight that is shorter than a lower bound of the distance to the surface needs no ray.
+static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, LaneInts *at_surface) {
+  LaneInt near = ~lane_lt(flight->all, distance_bound(&walks->grids, buffers.distances, walks->position));
+  at_surface->all = (LaneInt)(0);
+  flight->all = lane_choose(walks->active.all, flight->all, (LaneFloat)(0.0f));
+  for (uint bits = lane_bits(walks->active.all & near); bits; bits &= bits - 1u)
+    walk_trace_lane(buffers, walks, lane_lowest(bits), flight, at_surface);
 }
 
 // Draws every lane's flight length with a channel chosen in proportion to its throughput.
@@ -424,7 +430,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
                        global const TynMediumRecord *media, global const TynPhaseRecord *phases,
                        global const float *phase_tables, global const TynWalkEntry *entries, global TynWalkExit *exits,
-                       global TynWalkTally *tallies, global const uint *turned, TynWalkParameters parameters) {
+                       global TynWalkTally *tallies, global const uint *turned, global const uchar *distances,
+                       TynWalkParameters parameters) {
   WalkBuffers buffers;
   buffers.nodes = nodes;
   buffers.blocks = blocks;
@@ -440,6 +447,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   buffers.exits = exits;
   buffers.tallies = tallies;
   buffers.turned = turned;
+  buffers.distances = distances;
   uint2 key = tyn_uint2(parameters.seed[0], parameters.seed[1]);
 
   uint begin = (uint)get_global_id(0) * parameters.slice;
@@ -454,6 +462,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   walks.other_phase.all = (LaneInt)(0);
   // idle lanes compute with harmless numbers
   walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = (LaneUint)(0u);
+  distance_grids_clear(&walks.grids);
   walks.g.all = walks.length.all = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     walks.position[c].all = walks.absorbed[c].all = walks.balance[c].all = (LaneFloat)(0.0f);

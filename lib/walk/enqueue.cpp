@@ -43,7 +43,7 @@ void enqueue_walk(TynScene &scene, TynWalkParameters parameters, cl_mem entries,
   size_t items = (parameters.count + size_t(parameters.slice) - 1) / parameters.slice;
   context.launch("walk", "walk_paths", items, context.is_gpu() ? 64 : 1, b.nodes, b.blocks, b.triangles, b.positions,
                  b.normals, b.uvs, b.meshes, b.media, b.phases, b.phase_tables, entries, exits, tallies, b.turned,
-                 parameters);
+                 b.distances, parameters);
 }
 
 } // namespace tyn
