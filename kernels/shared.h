@@ -98,6 +98,7 @@ typedef struct TynWalkTally {
   float reflected[3];
   float absorbed[3];
   float balance[3];
-} TynWalkTally; // 36 bytes
+  uint32_t rays; // traced: fewer than flights, see distance_bound.clh
+} TynWalkTally;  // 40 bytes
 
 #endif

@@ -58,6 +58,7 @@ typedef struct {
   LaneFloats absorbed[3];
   LaneFloats balance[3];
   LaneUints scatterings;
+  LaneUints rays;
   DistanceGrids grids;
   // used lane by lane
   float reflected[TYN_LANES]; // fraction of the entering weight
@@ -115,6 +116,7 @@ static void walk_write(WalkBuffers buffers, Walks *walks, int lane, uint callers
   tyn_store3_global(tally->reflected, entered * walks->reflected[lane]);
   tyn_store3_global(tally->absorbed, entered * walk_vector(walks->absorbed, lane));
   tyn_store3_global(tally->balance, entered * walk_vector(walks->balance, lane));
+  tally->rays = walks->rays.lane[lane];
   exit->status = status;
   exit->scatterings = walks->scatterings.lane[lane];
   exit->path_length = walks->length.lane[lane];
@@ -189,6 +191,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   walks->draw.lane[lane] = 0u;
   walks->length.lane[lane] = 0.0f;
   walks->scatterings.lane[lane] = 0u;
+  walks->rays.lane[lane] = 0u;
   walks->reflected[lane] = 0.0f;
   walks->triangle[lane] = TYN_NONE;
   walks->u[lane] = walks->v[lane] = 0.0f;
@@ -315,6 +318,7 @@ static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, La
   LaneInt near = ~lane_lt(flight->all, distance_bound(&walks->grids, buffers.distances, walks->position));
   at_surface->all = (LaneInt)(0);
   flight->all = lane_choose(walks->active.all, flight->all, (LaneFloat)(0.0f));
+  walks->rays.all -= lane_as_uint(near);
   for (uint bits = lane_bits(walks->active.all & near); bits; bits &= bits - 1u)
     walk_trace_lane(buffers, walks, lane_lowest(bits), flight, at_surface);
 }
@@ -461,7 +465,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   walks.status.all = (LaneInt)(WALK_RUNNING);
   walks.other_phase.all = (LaneInt)(0);
   // idle lanes compute with harmless numbers
-  walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = (LaneUint)(0u);
+  walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = walks.rays.all =
+      (LaneUint)(0u);
   distance_grids_clear(&walks.grids);
   walks.g.all = walks.length.all = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {

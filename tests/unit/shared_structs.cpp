@@ -87,6 +87,7 @@ const Layout &host_layout() {
 
       RECORD(TynWalkTally),
       FIELD(TynWalkTally, reflected), FIELD(TynWalkTally, absorbed), FIELD(TynWalkTally, balance),
+      FIELD(TynWalkTally, rays),
 
       RECORD(TynImageRecord),
       FIELD(TynImageRecord, width), FIELD(TynImageRecord, height), FIELD(TynImageRecord, format),
@@ -274,7 +275,7 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynPhaseRecord), 32u);
   EXPECT_EQ(sizeof(TynMediumRecord), 48u);
   EXPECT_EQ(sizeof(TynWalkParameters), 48u);
-  EXPECT_EQ(sizeof(TynWalkTally), 36u);
+  EXPECT_EQ(sizeof(TynWalkTally), 40u);
 }
 
 } // namespace
