@@ -24,6 +24,9 @@
 #define WALK_TRAPPED 65536u
 #define WALK_TRAPPED_CLEAR 4096u // in a medium without extinction
 
+// Balls along a flight, beside the one around its start, after which its ray is traced.
+#define WALK_BALLS 2
+
 #define WALK_RUNNING -1
 
 typedef struct {
@@ -59,16 +62,16 @@ typedef struct {
   LaneFloats balance[3];
   LaneUints scatterings;
   LaneUints rays;
+  LaneUints reflections; // since the last scattering
+  LaneUints triangle;    // last one crossed, scene-wide
   DistanceGrids grids;
   // used lane by lane
   float reflected[TYN_LANES]; // fraction of the entering weight
   uint mesh[TYN_LANES];
-  uint phase[TYN_LANES];    // TynMediumRecord::phase
-  uint triangle[TYN_LANES]; // last one crossed, scene-wide
+  uint phase[TYN_LANES]; // TynMediumRecord::phase
   float u[TYN_LANES], v[TYN_LANES];
   float ior[TYN_LANES];
   float alpha[TYN_LANES];
-  uint reflections[TYN_LANES]; // since the last scattering
 } Walks;
 
 static float3 walk_vector(const LaneFloats *v, int lane) {
@@ -123,7 +126,7 @@ static void walk_write(WalkBuffers buffers, Walks *walks, int lane, uint callers
   exit->u = walks->u[lane];
   exit->v = walks->v[lane];
   exit->reserved = 0u;
-  uint triangle = walks->triangle[lane];
+  uint triangle = walks->triangle.lane[lane];
   float3 ng = tyn_vec3(0.0f, 0.0f, 0.0f);
   float3 ns = ng;
   float2 uv = (float2)(0.0f, 0.0f);
@@ -193,9 +196,9 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   walks->scatterings.lane[lane] = 0u;
   walks->rays.lane[lane] = 0u;
   walks->reflected[lane] = 0.0f;
-  walks->triangle[lane] = TYN_NONE;
+  walks->triangle.lane[lane] = TYN_NONE;
   walks->u[lane] = walks->v[lane] = 0.0f;
-  walks->reflections[lane] = 0u;
+  walks->reflections.lane[lane] = 0u;
   walks->alpha[lane] = entry->roughness;
   walk_set_vector(walks->position, lane, tyn_load3_global(entry->position));
   walk_set_vector(walks->direction, lane, tyn_load3_global(entry->direction));
@@ -243,7 +246,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
 
 // A walk arrives at the boundary from inside: it leaves, or is reflected back.
 static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key, uint random) {
-  uint triangle = walks->triangle[lane];
+  uint triangle = walks->triangle.lane[lane];
   TynTriangleRecord record = buffers.geometry.triangles[triangle];
   walk_set_vector(walks->position, lane, surface_position(buffers.geometry, record, walks->u[lane], walks->v[lane]));
   float ior = walks->ior[lane];
@@ -273,7 +276,7 @@ static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key
   walk_move_inside(buffers, walks, lane, ng);
   float sigma = walks->sigma_t[0].lane[lane] + walks->sigma_t[1].lane[lane] + walks->sigma_t[2].lane[lane];
   uint limit = sigma > 0.0f ? WALK_TRAPPED : WALK_TRAPPED_CLEAR;
-  if (++walks->reflections[lane] > limit)
+  if (++walks->reflections.lane[lane] > limit)
     walks->status.lane[lane] = TYN_WALK_CAPPED;
 }
 
@@ -286,18 +289,25 @@ static float walk_distance_to_bounds(global const TynMeshRecord *mesh, float3 or
   return fmax(0.0f, fmin(x, fmin(y, z)));
 }
 
+// The parts of every lane's flight that cannot meet the surface, at its start and at its end.
+typedef struct {
+  LaneFloats start, end;
+} WalkClear;
+
 // Looks for the boundary along a lane's flight. Where it is met first, `at_surface` is set and `flight` shortened to it. A walk
 // that goes out through a hole ends here.
-static void walk_trace_lane(WalkBuffers buffers, Walks *walks, int lane, LaneFloats *flight, LaneInts *at_surface) {
+static void walk_trace_lane(WalkBuffers buffers, Walks *walks, int lane, const WalkClear *clear, LaneFloats *flight,
+                            LaneInts *at_surface) {
   global const TynMeshRecord *mesh = buffers.geometry.meshes + walks->mesh[lane];
   float3 origin = walk_vector(walks->position, lane);
   float3 direction = walk_vector(walks->direction, lane);
-  TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, -mesh->slack,
-                           flight->lane[lane], TYN_LEAVING);
+  float from = clear->start.lane[lane] > 0.0f ? clear->start.lane[lane] : -mesh->slack;
+  TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, from,
+                           flight->lane[lane] - clear->end.lane[lane], TYN_LEAVING);
   if (hit.triangle != TYN_NONE) {
     at_surface->lane[lane] = -1;
     flight->lane[lane] = fmax(hit.t, 0.0f);
-    walks->triangle[lane] = hit.triangle;
+    walks->triangle.lane[lane] = hit.triangle;
     walks->u[lane] = hit.u;
     walks->v[lane] = hit.v;
     return;
@@ -308,19 +318,44 @@ static void walk_trace_lane(WalkBuffers buffers, Walks *walks, int lane, LaneFlo
     return;
   flight->lane[lane] = leaves;
   at_surface->lane[lane] = -1;
-  walks->triangle[lane] = TYN_NONE;
+  walks->triangle.lane[lane] = TYN_NONE;
   walk_set_vector(walks->position, lane, origin + direction * leaves);
   walks->status.lane[lane] = TYN_WALK_LEAKED;
 }
 
-// The same for all lanes. A flight that is shorter than a lower bound of the distance to the surface needs no ray.
+// What is clear by the distance bound: balls without surface, the first one around the flight's start, each of the next where
+// the flight leaves the last one (Hart 1996, "Sphere Tracing"), and one around its end. Returns the mask of flights that may
+// meet the surface.
+static LaneInt walk_find_clear(WalkBuffers buffers, const Walks *walks, LaneFloat flight, WalkClear *clear) {
+  LaneFloat at[3] = {walks->position[0].all, walks->position[1].all, walks->position[2].all};
+  clear->start.all = distance_bound(&walks->grids, buffers.distances, at);
+  clear->end.all = (LaneFloat)(0.0f);
+  LaneInt near = walks->active.all & ~lane_lt(flight, clear->start.all);
+  if (!lane_any(near))
+    return near;
+  for (int k = 0; k < 3; ++k)
+    at[k] = walks->position[k].all + walks->direction[k].all * flight;
+  clear->end.all = distance_bound(&walks->grids, buffers.distances, at);
+  for (int step = 0; step < WALK_BALLS; ++step) {
+    near &= ~lane_lt(flight, clear->start.all + clear->end.all);
+    if (!lane_any(near))
+      break;
+    for (int k = 0; k < 3; ++k)
+      at[k] = walks->position[k].all + walks->direction[k].all * clear->start.all;
+    clear->start.all += distance_bound(&walks->grids, buffers.distances, at);
+  }
+  return near & ~lane_lt(flight, clear->start.all + clear->end.all);
+}
+
+// Traces the flights that may meet the surface, each by itself, and only the parts where they may.
 static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, LaneInts *at_surface) {
-  LaneInt near = ~lane_lt(flight->all, distance_bound(&walks->grids, buffers.distances, walks->position));
+  WalkClear clear;
+  LaneInt near = walk_find_clear(buffers, walks, flight->all, &clear);
   at_surface->all = (LaneInt)(0);
   flight->all = lane_choose(walks->active.all, flight->all, (LaneFloat)(0.0f));
   walks->rays.all -= lane_as_uint(near);
-  for (uint bits = lane_bits(walks->active.all & near); bits; bits &= bits - 1u)
-    walk_trace_lane(buffers, walks, lane_lowest(bits), flight, at_surface);
+  for (uint bits = lane_bits(near); bits; bits &= bits - 1u)
+    walk_trace_lane(buffers, walks, lane_lowest(bits), &clear, flight, at_surface);
 }
 
 // Draws every lane's flight length with a channel chosen in proportion to its throughput.
@@ -468,6 +503,8 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = walks.rays.all =
       (LaneUint)(0u);
   distance_grids_clear(&walks.grids);
+  walks.reflections.all = (LaneUint)(0u);
+  walks.triangle.all = (LaneUint)(TYN_NONE);
   walks.g.all = walks.length.all = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     walks.position[c].all = walks.absorbed[c].all = walks.balance[c].all = (LaneFloat)(0.0f);
@@ -476,7 +513,9 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   }
 
   for (;;) {
-    for (int lane = 0; lane < TYN_LANES; ++lane) {
+    LaneInt ended = walks.active.all & ~lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
+    for (uint bits = lane_bits(next < end ? ended | ~walks.active.all : ended); bits; bits &= bits - 1u) {
+      int lane = lane_lowest(bits);
       for (;;) { // more than once if a walk ends as it begins
         if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING)
           walk_write(buffers, &walks, lane, parameters.callers_winding);
@@ -502,30 +541,23 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
     LaneInt scatters = walks.active.all & ~at_surface.all & lane_lt(walks.status.all, (LaneInt)(0));
     if (lane_any(scatters)) {
       walk_scatter(buffers, &walks, scatters, flight.all, random, key);
-      LaneInts dead;
-      dead.all = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
-      LaneInts capped;
-      capped.all = (LaneInt)(0);
+      LaneInt dead = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
+      LaneInt capped = (LaneInt)(0);
       if (parameters.max_scatterings)
-        capped.all =
-            scatters & ~dead.all &
+        capped =
+            scatters & ~dead &
             lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks.scatterings.all)) & 1u));
-      LaneInts scattered;
-      scattered.all = scatters;
-      for (int lane = 0; lane < TYN_LANES; ++lane) {
-        if (!scattered.lane[lane])
-          continue;
-        walks.reflections[lane] = 0u;
-        if (!dead.lane[lane] && !capped.lane[lane])
-          continue;
-        walks.triangle[lane] = TYN_NONE;
-        walks.status.lane[lane] = dead.lane[lane] ? TYN_WALK_ABSORBED : TYN_WALK_CAPPED;
-      }
+      walks.reflections.all = lane_choose(scatters, (LaneUint)(0u), walks.reflections.all);
+      walks.triangle.all = lane_choose(dead | capped, (LaneUint)(TYN_NONE), walks.triangle.all);
+      walks.status.all = lane_choose(dead, (LaneInt)(TYN_WALK_ABSORBED), walks.status.all);
+      walks.status.all = lane_choose(capped, (LaneInt)(TYN_WALK_CAPPED), walks.status.all);
     }
     LaneUints boundary_random;
     boundary_random.all = random[2];
-    for (int lane = 0; lane < TYN_LANES; ++lane)
-      if (at_surface.lane[lane] && walks.status.lane[lane] == WALK_RUNNING)
-        walk_boundary(buffers, &walks, lane, key, boundary_random.lane[lane]);
+    LaneInt arrived = at_surface.all & lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
+    for (uint bits = lane_bits(arrived); bits; bits &= bits - 1u) {
+      int lane = lane_lowest(bits);
+      walk_boundary(buffers, &walks, lane, key, boundary_random.lane[lane]);
+    }
   }
 }

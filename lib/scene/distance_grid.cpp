@@ -14,7 +14,7 @@
 namespace tyn {
 namespace {
 
-constexpr uint32_t FINEST = 128;           // cells along the longest side
+constexpr uint32_t FINEST = 160;           // cells along the longest side
 constexpr uint32_t COARSER = 4;            // times fewer without a medium
 constexpr uint64_t MOST_CELLS = 40u << 20; // of a scene
 constexpr float REACH = 1.5f;              // distances up to this one are exact
