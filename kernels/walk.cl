@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random walks inside meshes. A work-item walks TYN_LANES entries at once; a lane whose walk ends takes the next entry of the
-// work-item's slice. Flights, weights and scattering run over all lanes together; rays and boundaries run lane by lane.
+// work-item's slice, and after a slice the next one that no work-item has. Flights, weights and scattering run over all lanes together; rays and boundaries run lane by lane.
 //
 // Colour. One flight serves all three channels: a channel is chosen in proportion to its throughput w, the flight is drawn
 // with that channel's sigma_t, and every channel is weighted by the balance heuristic over the choice,
@@ -25,7 +25,7 @@
 #define WALK_TRAPPED_CLEAR 4096u // in a medium without extinction
 
 // Balls along a flight, beside the one around its start, after which its ray is traced.
-#define WALK_BALLS 2
+#define WALK_BALLS 1
 
 #define WALK_RUNNING -1
 
@@ -336,7 +336,7 @@ static LaneInt walk_find_clear(WalkBuffers buffers, const Walks *walks, LaneFloa
   for (int k = 0; k < 3; ++k)
     at[k] = walks->position[k].all + walks->direction[k].all * flight;
   clear->end.all = distance_bound(&walks->grids, buffers.distances, at);
-  for (int step = 0; step < WALK_BALLS; ++step) {
+  for (int ball = 0; ball < WALK_BALLS; ++ball) {
     near &= ~lane_lt(flight, clear->start.all + clear->end.all);
     if (!lane_any(near))
       break;
@@ -464,13 +464,37 @@ static LaneInt walk_roulette(Walks *walks, LaneInt mask, float threshold, const 
   return dead | (plays & ~survives);
 }
 
+// The entries that are left to a work-item.
+typedef struct {
+  uint next, end;            // of its slice
+  global uint *slices_taken; // beyond the first ones, by all work-items
+  int open;
+} WalkQueue;
+
+static void walk_take_slice(WalkQueue *queue, TynWalkParameters parameters, uint slice) {
+  ulong begin = min((ulong)slice * parameters.slice, (ulong)parameters.count);
+  queue->next = (uint)begin;
+  queue->end = (uint)min(begin + parameters.slice, (ulong)parameters.count);
+  queue->open = queue->next < queue->end;
+}
+
+// Whether there was an entry to take.
+static int walk_take(WalkQueue *queue, TynWalkParameters parameters, uint *index) {
+  if (queue->open && queue->next == queue->end)
+    walk_take_slice(queue, parameters, (uint)get_global_size(0) + atomic_inc(queue->slices_taken));
+  if (!queue->open)
+    return 0;
+  *index = queue->next++;
+  return 1;
+}
+
 kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks,
                        global const TynTriangleRecord *triangles, global const float *positions,
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
                        global const TynMediumRecord *media, global const TynPhaseRecord *phases,
                        global const float *phase_tables, global const TynWalkEntry *entries, global TynWalkExit *exits,
                        global TynWalkTally *tallies, global const uint *turned, global const uchar *distances,
-                       TynWalkParameters parameters) {
+                       global uint *slices_taken, TynWalkParameters parameters) {
   WalkBuffers buffers;
   buffers.nodes = nodes;
   buffers.blocks = blocks;
@@ -489,10 +513,10 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   buffers.distances = distances;
   uint2 key = tyn_uint2(parameters.seed[0], parameters.seed[1]);
 
-  uint begin = (uint)get_global_id(0) * parameters.slice;
-  uint next = begin;
-  uint end = min(begin + parameters.slice, parameters.count);
-  if (begin >= parameters.count)
+  WalkQueue queue;
+  queue.slices_taken = slices_taken;
+  walk_take_slice(&queue, parameters, (uint)get_global_id(0));
+  if (!queue.open)
     return;
 
   Walks walks;
@@ -514,14 +538,15 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
 
   for (;;) {
     LaneInt ended = walks.active.all & ~lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
-    for (uint bits = lane_bits(next < end ? ended | ~walks.active.all : ended); bits; bits &= bits - 1u) {
+    for (uint bits = lane_bits(queue.open ? ended | ~walks.active.all : ended); bits; bits &= bits - 1u) {
       int lane = lane_lowest(bits);
       for (;;) { // more than once if a walk ends as it begins
         if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING)
           walk_write(buffers, &walks, lane, parameters.callers_winding);
-        if (walks.active.lane[lane] || next == end)
+        uint index;
+        if (walks.active.lane[lane] || !walk_take(&queue, parameters, &index))
           break;
-        walk_begin(buffers, parameters, &walks, lane, next++);
+        walk_begin(buffers, parameters, &walks, lane, index);
       }
     }
     if (!lane_any(walks.active.all))

@@ -136,6 +136,7 @@ void commit(TynScene &scene) {
   buffers.phases = upload(scene.context, media.phases);
   buffers.phase_tables = upload(scene.context, media.tables.data);
   buffers.distances = upload(scene.context, distances);
+  buffers.walk_queue = Buffer(scene.context, sizeof(uint32_t));
   buffers.turned = upload(scene.context, geometry.turned);
   if (add_default)
     scene.materials.push_back(std::move(default_material));
