@@ -56,6 +56,7 @@ typedef struct {
   LaneFloats sigma_t[3];
   LaneFloats albedo[3];
   LaneFloats g;
+  LaneInts coloured;    // mask: sigma_t differs between the channels
   LaneInts other_phase; // mask: the phase function is not Henyey-Greenstein's
   LaneFloats length;
   LaneFloats absorbed[3];
@@ -227,6 +228,8 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
                   entry->sigma_t[0] >= 0.0f ? tyn_load3_global(entry->sigma_t) : tyn_load3_global(medium->sigma_t));
   walk_set_vector(walks->albedo, lane,
                   entry->albedo[0] >= 0.0f ? tyn_load3_global(entry->albedo) : tyn_load3_global(medium->albedo));
+  float3 sigma_t = walk_vector(walks->sigma_t, lane);
+  walks->coloured.lane[lane] = sigma_t.x == sigma_t.y && sigma_t.y == sigma_t.z ? 0 : -1;
   if (local_triangle == TYN_NONE)
     return;
 
@@ -372,11 +375,10 @@ static LaneFloat walk_sample_flight(const Walks *walks, const LaneUint random[4]
 
 // Weights the channels for a flight of length t that ended in the medium or at the surface.
 static void walk_weight_flight(Walks *walks, LaneFloat t, LaneInt at_surface) {
-  LaneFloat least = fmin(walks->sigma_t[0].all, fmin(walks->sigma_t[1].all, walks->sigma_t[2].all));
-  LaneFloat most = fmax(walks->sigma_t[0].all, fmax(walks->sigma_t[1].all, walks->sigma_t[2].all));
-  LaneInt coloured = lane_lt(least, most) & walks->active.all;
+  LaneInt coloured = walks->coloured.all & walks->active.all;
   if (!lane_any(coloured))
     return; // all factors are 1
+  LaneFloat least = fmin(walks->sigma_t[0].all, fmin(walks->sigma_t[1].all, walks->sigma_t[2].all));
   LaneFloat f[3], sum = (LaneFloat)(0.0f), mean = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     // relative to the channel with the least extinction, which cancels
@@ -419,7 +421,7 @@ static LaneFloat walk_sample_away(WalkBuffers buffers, const Walks *walks, LaneI
 // Turns the direction of the lanes in `mask` by 1 - cos = `away` and a random azimuth.
 static void walk_turn(Walks *walks, LaneInt mask, LaneFloat away, const LaneUint random[4]) {
   LaneFloat cos_theta = 1.0f - away;
-  LaneFloat sin_theta = sqrt(fmax((LaneFloat)(0.0f), away * (2.0f - away)));
+  LaneFloat sin_theta = sqrt(lane_max(away * (2.0f - away), (LaneFloat)(0.0f)));
   LaneFloat sine, cosine;
   lane_sincos_turn(lane_uniform(random[3]), &sine, &cosine);
   LaneFloat x = walks->direction[0].all, y = walks->direction[1].all, z = walks->direction[2].all;
@@ -522,7 +524,7 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   Walks walks;
   walks.active.all = (LaneInt)(0);
   walks.status.all = (LaneInt)(WALK_RUNNING);
-  walks.other_phase.all = (LaneInt)(0);
+  walks.other_phase.all = walks.coloured.all = (LaneInt)(0);
   // idle lanes compute with harmless numbers
   walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = walks.rays.all =
       (LaneUint)(0u);
