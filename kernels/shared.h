@@ -50,7 +50,13 @@ typedef struct TynMeshRecord {
                    // absolute coordinate of the mesh, as a power of two
   float lower[3];
   float upper[3]; // bounds, widened by slack
-} TynMeshRecord;  // 48 bytes
+  // The grid of distance_bound.clh; cells are stored x fastest.
+  uint32_t grid_first;   // index of its first code
+  uint32_t grid_size[3]; // cells along x, y, z, from `lower` on; 1 for a mesh without a grid
+  float grid_cell;       // edge of a cell; 0 for a mesh without a grid, like the others below
+  float grid_per_cell;   // 1 / grid_cell
+  float grid_step;       // a code's square times this is the distance
+} TynMeshRecord;         // 76 bytes
 
 // ---- Media ------------------------------------------------------------------------------------------------------------
 // A phase function (tyndall_phase.h). Isotropic ones are Henyey-Greenstein with g = 0 here.
@@ -92,6 +98,7 @@ typedef struct TynWalkTally {
   float reflected[3];
   float absorbed[3];
   float balance[3];
-} TynWalkTally; // 36 bytes
+  uint32_t rays; // traced: fewer than flights, see distance_bound.clh
+} TynWalkTally;  // 40 bytes
 
 #endif

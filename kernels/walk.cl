@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random walks inside meshes. A work-item walks TYN_LANES entries at once; a lane whose walk ends takes the next entry of the
-// work-item's slice. Flights, weights and scattering run over all lanes together; rays and boundaries run lane by lane.
+// work-item's slice, and after a slice the next one that no work-item has. Flights, weights and scattering run over all lanes together; rays and boundaries run lane by lane.
 //
 // Colour. One flight serves all three channels: a channel is chosen in proportion to its throughput w, the flight is drawn
 // with that channel's sigma_t, and every channel is weighted by the balance heuristic over the choice,
@@ -12,6 +12,7 @@
 // closed meshes lose nothing.
 #include "lanes.clh"
 #include "lane_math.clh"
+#include "distance_bound.clh"
 #include "interface.clh"
 #include "phase.clh"
 #include "random.clh"
@@ -22,6 +23,9 @@
 // Reflections at the boundary without a scattering event after which a walk counts as trapped for good (status capped).
 #define WALK_TRAPPED 65536u
 #define WALK_TRAPPED_CLEAR 4096u // in a medium without extinction
+
+// Balls along a flight, beside the one around its start, after which its ray is traced.
+#define WALK_BALLS 1
 
 #define WALK_RUNNING -1
 
@@ -35,6 +39,7 @@ typedef struct {
   global const TynWalkEntry *entries;
   global TynWalkExit *exits;
   global TynWalkTally *tallies;
+  global const uchar *distances; // see distance_bound.clh
   global const uint *turned; // a bit a triangle: its second and third vertex are in the other order than the caller's
 } WalkBuffers;
 
@@ -51,20 +56,23 @@ typedef struct {
   LaneFloats sigma_t[3];
   LaneFloats albedo[3];
   LaneFloats g;
+  LaneInts coloured;    // mask: sigma_t differs between the channels
   LaneInts other_phase; // mask: the phase function is not Henyey-Greenstein's
   LaneFloats length;
   LaneFloats absorbed[3];
   LaneFloats balance[3];
   LaneUints scatterings;
+  LaneUints rays;
+  LaneUints reflections; // since the last scattering
+  LaneUints triangle;    // last one crossed, scene-wide
+  DistanceGrids grids;
   // used lane by lane
   float reflected[TYN_LANES]; // fraction of the entering weight
   uint mesh[TYN_LANES];
-  uint phase[TYN_LANES];    // TynMediumRecord::phase
-  uint triangle[TYN_LANES]; // last one crossed, scene-wide
+  uint phase[TYN_LANES]; // TynMediumRecord::phase
   float u[TYN_LANES], v[TYN_LANES];
   float ior[TYN_LANES];
   float alpha[TYN_LANES];
-  uint reflections[TYN_LANES]; // since the last scattering
 } Walks;
 
 static float3 walk_vector(const LaneFloats *v, int lane) {
@@ -112,13 +120,14 @@ static void walk_write(WalkBuffers buffers, Walks *walks, int lane, uint callers
   tyn_store3_global(tally->reflected, entered * walks->reflected[lane]);
   tyn_store3_global(tally->absorbed, entered * walk_vector(walks->absorbed, lane));
   tyn_store3_global(tally->balance, entered * walk_vector(walks->balance, lane));
+  tally->rays = walks->rays.lane[lane];
   exit->status = status;
   exit->scatterings = walks->scatterings.lane[lane];
   exit->path_length = walks->length.lane[lane];
   exit->u = walks->u[lane];
   exit->v = walks->v[lane];
   exit->reserved = 0u;
-  uint triangle = walks->triangle[lane];
+  uint triangle = walks->triangle.lane[lane];
   float3 ng = tyn_vec3(0.0f, 0.0f, 0.0f);
   float3 ns = ng;
   float2 uv = (float2)(0.0f, 0.0f);
@@ -186,10 +195,11 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   walks->draw.lane[lane] = 0u;
   walks->length.lane[lane] = 0.0f;
   walks->scatterings.lane[lane] = 0u;
+  walks->rays.lane[lane] = 0u;
   walks->reflected[lane] = 0.0f;
-  walks->triangle[lane] = TYN_NONE;
+  walks->triangle.lane[lane] = TYN_NONE;
   walks->u[lane] = walks->v[lane] = 0.0f;
-  walks->reflections[lane] = 0u;
+  walks->reflections.lane[lane] = 0u;
   walks->alpha[lane] = entry->roughness;
   walk_set_vector(walks->position, lane, tyn_load3_global(entry->position));
   walk_set_vector(walks->direction, lane, tyn_load3_global(entry->direction));
@@ -209,6 +219,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
   }
   global const TynMediumRecord *medium = buffers.media + medium_index;
   walks->mesh[lane] = mesh;
+  distance_grids_set(&walks->grids, lane, buffers.geometry.meshes + mesh);
   walks->ior[lane] = medium->ior;
   walks->g.lane[lane] = medium->g;
   walks->phase[lane] = medium->phase;
@@ -217,6 +228,8 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
                   entry->sigma_t[0] >= 0.0f ? tyn_load3_global(entry->sigma_t) : tyn_load3_global(medium->sigma_t));
   walk_set_vector(walks->albedo, lane,
                   entry->albedo[0] >= 0.0f ? tyn_load3_global(entry->albedo) : tyn_load3_global(medium->albedo));
+  float3 sigma_t = walk_vector(walks->sigma_t, lane);
+  walks->coloured.lane[lane] = sigma_t.x == sigma_t.y && sigma_t.y == sigma_t.z ? 0 : -1;
   if (local_triangle == TYN_NONE)
     return;
 
@@ -236,7 +249,7 @@ static void walk_begin(WalkBuffers buffers, TynWalkParameters parameters, Walks 
 
 // A walk arrives at the boundary from inside: it leaves, or is reflected back.
 static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key, uint random) {
-  uint triangle = walks->triangle[lane];
+  uint triangle = walks->triangle.lane[lane];
   TynTriangleRecord record = buffers.geometry.triangles[triangle];
   walk_set_vector(walks->position, lane, surface_position(buffers.geometry, record, walks->u[lane], walks->v[lane]));
   float ior = walks->ior[lane];
@@ -266,7 +279,7 @@ static void walk_boundary(WalkBuffers buffers, Walks *walks, int lane, uint2 key
   walk_move_inside(buffers, walks, lane, ng);
   float sigma = walks->sigma_t[0].lane[lane] + walks->sigma_t[1].lane[lane] + walks->sigma_t[2].lane[lane];
   uint limit = sigma > 0.0f ? WALK_TRAPPED : WALK_TRAPPED_CLEAR;
-  if (++walks->reflections[lane] > limit)
+  if (++walks->reflections.lane[lane] > limit)
     walks->status.lane[lane] = TYN_WALK_CAPPED;
 }
 
@@ -279,38 +292,73 @@ static float walk_distance_to_bounds(global const TynMeshRecord *mesh, float3 or
   return fmax(0.0f, fmin(x, fmin(y, z)));
 }
 
-// Looks for the boundary along every lane's flight. Where it is met first, `at_surface` is set and `flight` shortened to it.
-// Walks that go out through a hole end here.
-static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, LaneInts *at_surface) {
-  for (int lane = 0; lane < TYN_LANES; ++lane) {
-    at_surface->lane[lane] = 0;
-    if (!walks->active.lane[lane]) {
-      flight->lane[lane] = 0.0f;
-      continue;
-    }
-    global const TynMeshRecord *mesh = buffers.geometry.meshes + walks->mesh[lane];
-    float3 origin = walk_vector(walks->position, lane);
-    float3 direction = walk_vector(walks->direction, lane);
-    TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, -mesh->slack,
-                             flight->lane[lane], TYN_LEAVING);
-    if (hit.triangle != TYN_NONE) {
-      at_surface->lane[lane] = -1;
-      flight->lane[lane] = fmax(hit.t, 0.0f);
-      walks->triangle[lane] = hit.triangle;
-      walks->u[lane] = hit.u;
-      walks->v[lane] = hit.v;
-      continue;
-    }
-    // never farther than where it leaves the bounds of the mesh, through which it can only get by a hole
-    float leaves = walk_distance_to_bounds(mesh, origin, direction);
-    if (flight->lane[lane] <= leaves)
-      continue;
-    flight->lane[lane] = leaves;
+// The parts of every lane's flight that cannot meet the surface, at its start and at its end.
+typedef struct {
+  LaneFloats start, end;
+} WalkClear;
+
+// Looks for the boundary along a lane's flight. Where it is met first, `at_surface` is set and `flight` shortened to it. A walk
+// that goes out through a hole ends here.
+static void walk_trace_lane(WalkBuffers buffers, Walks *walks, int lane, const WalkClear *clear, LaneFloats *flight,
+                            LaneInts *at_surface) {
+  global const TynMeshRecord *mesh = buffers.geometry.meshes + walks->mesh[lane];
+  float3 origin = walk_vector(walks->position, lane);
+  float3 direction = walk_vector(walks->direction, lane);
+  float from = clear->start.lane[lane] > 0.0f ? clear->start.lane[lane] : -mesh->slack;
+  TraceHit hit = tyn_trace(buffers.nodes, buffers.blocks, mesh->root, origin, direction, from,
+                           flight->lane[lane] - clear->end.lane[lane], TYN_LEAVING);
+  if (hit.triangle != TYN_NONE) {
     at_surface->lane[lane] = -1;
-    walks->triangle[lane] = TYN_NONE;
-    walk_set_vector(walks->position, lane, origin + direction * leaves);
-    walks->status.lane[lane] = TYN_WALK_LEAKED;
+    flight->lane[lane] = fmax(hit.t, 0.0f);
+    walks->triangle.lane[lane] = hit.triangle;
+    walks->u[lane] = hit.u;
+    walks->v[lane] = hit.v;
+    return;
   }
+  // never farther than where it leaves the bounds of the mesh, through which it can only get by a hole
+  float leaves = walk_distance_to_bounds(mesh, origin, direction);
+  if (flight->lane[lane] <= leaves)
+    return;
+  flight->lane[lane] = leaves;
+  at_surface->lane[lane] = -1;
+  walks->triangle.lane[lane] = TYN_NONE;
+  walk_set_vector(walks->position, lane, origin + direction * leaves);
+  walks->status.lane[lane] = TYN_WALK_LEAKED;
+}
+
+// What is clear by the distance bound: balls without surface, the first one around the flight's start, each of the next where
+// the flight leaves the last one (Hart 1996, "Sphere Tracing"), and one around its end. Returns the mask of flights that may
+// meet the surface.
+static LaneInt walk_find_clear(WalkBuffers buffers, const Walks *walks, LaneFloat flight, WalkClear *clear) {
+  LaneFloat at[3] = {walks->position[0].all, walks->position[1].all, walks->position[2].all};
+  clear->start.all = distance_bound(&walks->grids, buffers.distances, at);
+  clear->end.all = (LaneFloat)(0.0f);
+  LaneInt near = walks->active.all & ~lane_lt(flight, clear->start.all);
+  if (!lane_any(near))
+    return near;
+  for (int k = 0; k < 3; ++k)
+    at[k] = walks->position[k].all + walks->direction[k].all * flight;
+  clear->end.all = distance_bound(&walks->grids, buffers.distances, at);
+  for (int ball = 0; ball < WALK_BALLS; ++ball) {
+    near &= ~lane_lt(flight, clear->start.all + clear->end.all);
+    if (!lane_any(near))
+      break;
+    for (int k = 0; k < 3; ++k)
+      at[k] = walks->position[k].all + walks->direction[k].all * clear->start.all;
+    clear->start.all += distance_bound(&walks->grids, buffers.distances, at);
+  }
+  return near & ~lane_lt(flight, clear->start.all + clear->end.all);
+}
+
+// Traces the flights that may meet the surface, each by itself, and only the parts where they may.
+static void walk_trace(WalkBuffers buffers, Walks *walks, LaneFloats *flight, LaneInts *at_surface) {
+  WalkClear clear;
+  LaneInt near = walk_find_clear(buffers, walks, flight->all, &clear);
+  at_surface->all = (LaneInt)(0);
+  flight->all = lane_choose(walks->active.all, flight->all, (LaneFloat)(0.0f));
+  walks->rays.all -= lane_as_uint(near);
+  for (uint bits = lane_bits(near); bits; bits &= bits - 1u)
+    walk_trace_lane(buffers, walks, lane_lowest(bits), &clear, flight, at_surface);
 }
 
 // Draws every lane's flight length with a channel chosen in proportion to its throughput.
@@ -327,11 +375,10 @@ static LaneFloat walk_sample_flight(const Walks *walks, const LaneUint random[4]
 
 // Weights the channels for a flight of length t that ended in the medium or at the surface.
 static void walk_weight_flight(Walks *walks, LaneFloat t, LaneInt at_surface) {
-  LaneFloat least = fmin(walks->sigma_t[0].all, fmin(walks->sigma_t[1].all, walks->sigma_t[2].all));
-  LaneFloat most = fmax(walks->sigma_t[0].all, fmax(walks->sigma_t[1].all, walks->sigma_t[2].all));
-  LaneInt coloured = lane_lt(least, most) & walks->active.all;
+  LaneInt coloured = walks->coloured.all & walks->active.all;
   if (!lane_any(coloured))
     return; // all factors are 1
+  LaneFloat least = fmin(walks->sigma_t[0].all, fmin(walks->sigma_t[1].all, walks->sigma_t[2].all));
   LaneFloat f[3], sum = (LaneFloat)(0.0f), mean = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     // relative to the channel with the least extinction, which cancels
@@ -374,7 +421,7 @@ static LaneFloat walk_sample_away(WalkBuffers buffers, const Walks *walks, LaneI
 // Turns the direction of the lanes in `mask` by 1 - cos = `away` and a random azimuth.
 static void walk_turn(Walks *walks, LaneInt mask, LaneFloat away, const LaneUint random[4]) {
   LaneFloat cos_theta = 1.0f - away;
-  LaneFloat sin_theta = sqrt(fmax((LaneFloat)(0.0f), away * (2.0f - away)));
+  LaneFloat sin_theta = sqrt(lane_max(away * (2.0f - away), (LaneFloat)(0.0f)));
   LaneFloat sine, cosine;
   lane_sincos_turn(lane_uniform(random[3]), &sine, &cosine);
   LaneFloat x = walks->direction[0].all, y = walks->direction[1].all, z = walks->direction[2].all;
@@ -419,12 +466,37 @@ static LaneInt walk_roulette(Walks *walks, LaneInt mask, float threshold, const 
   return dead | (plays & ~survives);
 }
 
+// The entries that are left to a work-item.
+typedef struct {
+  uint next, end;            // of its slice
+  global uint *slices_taken; // beyond the first ones, by all work-items
+  int open;
+} WalkQueue;
+
+static void walk_take_slice(WalkQueue *queue, TynWalkParameters parameters, uint slice) {
+  ulong begin = min((ulong)slice * parameters.slice, (ulong)parameters.count);
+  queue->next = (uint)begin;
+  queue->end = (uint)min(begin + parameters.slice, (ulong)parameters.count);
+  queue->open = queue->next < queue->end;
+}
+
+// Whether there was an entry to take.
+static int walk_take(WalkQueue *queue, TynWalkParameters parameters, uint *index) {
+  if (queue->open && queue->next == queue->end)
+    walk_take_slice(queue, parameters, (uint)get_global_size(0) + atomic_inc(queue->slices_taken));
+  if (!queue->open)
+    return 0;
+  *index = queue->next++;
+  return 1;
+}
+
 kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks,
                        global const TynTriangleRecord *triangles, global const float *positions,
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
                        global const TynMediumRecord *media, global const TynPhaseRecord *phases,
                        global const float *phase_tables, global const TynWalkEntry *entries, global TynWalkExit *exits,
-                       global TynWalkTally *tallies, global const uint *turned, TynWalkParameters parameters) {
+                       global TynWalkTally *tallies, global const uint *turned, global const uchar *distances,
+                       global uint *slices_taken, TynWalkParameters parameters) {
   WalkBuffers buffers;
   buffers.nodes = nodes;
   buffers.blocks = blocks;
@@ -440,20 +512,25 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   buffers.exits = exits;
   buffers.tallies = tallies;
   buffers.turned = turned;
+  buffers.distances = distances;
   uint2 key = tyn_uint2(parameters.seed[0], parameters.seed[1]);
 
-  uint begin = (uint)get_global_id(0) * parameters.slice;
-  uint next = begin;
-  uint end = min(begin + parameters.slice, parameters.count);
-  if (begin >= parameters.count)
+  WalkQueue queue;
+  queue.slices_taken = slices_taken;
+  walk_take_slice(&queue, parameters, (uint)get_global_id(0));
+  if (!queue.open)
     return;
 
   Walks walks;
   walks.active.all = (LaneInt)(0);
   walks.status.all = (LaneInt)(WALK_RUNNING);
-  walks.other_phase.all = (LaneInt)(0);
+  walks.other_phase.all = walks.coloured.all = (LaneInt)(0);
   // idle lanes compute with harmless numbers
-  walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = (LaneUint)(0u);
+  walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = walks.rays.all =
+      (LaneUint)(0u);
+  distance_grids_clear(&walks.grids);
+  walks.reflections.all = (LaneUint)(0u);
+  walks.triangle.all = (LaneUint)(TYN_NONE);
   walks.g.all = walks.length.all = (LaneFloat)(0.0f);
   for (int c = 0; c < 3; ++c) {
     walks.position[c].all = walks.absorbed[c].all = walks.balance[c].all = (LaneFloat)(0.0f);
@@ -462,13 +539,16 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
   }
 
   for (;;) {
-    for (int lane = 0; lane < TYN_LANES; ++lane) {
+    LaneInt ended = walks.active.all & ~lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
+    for (uint bits = lane_bits(queue.open ? ended | ~walks.active.all : ended); bits; bits &= bits - 1u) {
+      int lane = lane_lowest(bits);
       for (;;) { // more than once if a walk ends as it begins
         if (walks.active.lane[lane] && walks.status.lane[lane] != WALK_RUNNING)
           walk_write(buffers, &walks, lane, parameters.callers_winding);
-        if (walks.active.lane[lane] || next == end)
+        uint index;
+        if (walks.active.lane[lane] || !walk_take(&queue, parameters, &index))
           break;
-        walk_begin(buffers, parameters, &walks, lane, next++);
+        walk_begin(buffers, parameters, &walks, lane, index);
       }
     }
     if (!lane_any(walks.active.all))
@@ -488,30 +568,23 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
     LaneInt scatters = walks.active.all & ~at_surface.all & lane_lt(walks.status.all, (LaneInt)(0));
     if (lane_any(scatters)) {
       walk_scatter(buffers, &walks, scatters, flight.all, random, key);
-      LaneInts dead;
-      dead.all = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
-      LaneInts capped;
-      capped.all = (LaneInt)(0);
+      LaneInt dead = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
+      LaneInt capped = (LaneInt)(0);
       if (parameters.max_scatterings)
-        capped.all =
-            scatters & ~dead.all &
+        capped =
+            scatters & ~dead &
             lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks.scatterings.all)) & 1u));
-      LaneInts scattered;
-      scattered.all = scatters;
-      for (int lane = 0; lane < TYN_LANES; ++lane) {
-        if (!scattered.lane[lane])
-          continue;
-        walks.reflections[lane] = 0u;
-        if (!dead.lane[lane] && !capped.lane[lane])
-          continue;
-        walks.triangle[lane] = TYN_NONE;
-        walks.status.lane[lane] = dead.lane[lane] ? TYN_WALK_ABSORBED : TYN_WALK_CAPPED;
-      }
+      walks.reflections.all = lane_choose(scatters, (LaneUint)(0u), walks.reflections.all);
+      walks.triangle.all = lane_choose(dead | capped, (LaneUint)(TYN_NONE), walks.triangle.all);
+      walks.status.all = lane_choose(dead, (LaneInt)(TYN_WALK_ABSORBED), walks.status.all);
+      walks.status.all = lane_choose(capped, (LaneInt)(TYN_WALK_CAPPED), walks.status.all);
     }
     LaneUints boundary_random;
     boundary_random.all = random[2];
-    for (int lane = 0; lane < TYN_LANES; ++lane)
-      if (at_surface.lane[lane] && walks.status.lane[lane] == WALK_RUNNING)
-        walk_boundary(buffers, &walks, lane, key, boundary_random.lane[lane]);
+    LaneInt arrived = at_surface.all & lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
+    for (uint bits = lane_bits(arrived); bits; bits &= bits - 1u) {
+      int lane = lane_lowest(bits);
+      walk_boundary(buffers, &walks, lane, key, boundary_random.lane[lane]);
+    }
   }
 }

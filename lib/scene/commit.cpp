@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/bvh.hpp"
+#include "scene/distance_grid.hpp"
 
 namespace tyn {
 namespace {
@@ -118,6 +119,7 @@ void commit(TynScene &scene) {
   const Bvh bvh = build_bvh(scene.meshes);
   const Geometry geometry = concatenate(scene, default_index);
   std::vector<TynMeshRecord> meshes = mesh_records(scene, bvh.roots);
+  const std::vector<uint8_t> distances = build_distance_grids(scene.meshes, meshes);
   Media media;
   for (const Medium &medium : scene.media)
     append_medium(media, medium.value);
@@ -133,6 +135,8 @@ void commit(TynScene &scene) {
   buffers.media = upload(scene.context, media.records);
   buffers.phases = upload(scene.context, media.phases);
   buffers.phase_tables = upload(scene.context, media.tables.data);
+  buffers.distances = upload(scene.context, distances);
+  buffers.walk_queue = Buffer(scene.context, sizeof(uint32_t));
   buffers.turned = upload(scene.context, geometry.turned);
   if (add_default)
     scene.materials.push_back(std::move(default_material));

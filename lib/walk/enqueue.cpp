@@ -8,14 +8,19 @@ namespace tyn {
 
 namespace {
 
-// Entries a work-item walks one after the other. On a CPU enough that its lanes stay full (a lane that ends takes the next
-// entry) and few enough that the cores end together; on a GPU one, since its hardware keeps itself full.
+// Entries a work-item takes at a time. On a CPU a few times its lanes, so that neighbours stay together and the cores end
+// together; on a GPU one, since its hardware keeps itself full.
 uint32_t slice_length(const TynContext &context, uint32_t count) {
   if (context.is_gpu())
     return 1;
-  uint32_t items = std::max(1u, context.device_info.compute_units) * 32;
-  uint32_t longest = std::max(1u, count / items);
-  return std::clamp(longest, context.lanes() * 4, context.lanes() * 64);
+  uint32_t items = std::max(1u, context.device_info.compute_units) * 8;
+  return std::clamp(count / items, context.lanes(), context.lanes() * 4);
+}
+
+// On a CPU one for each core: a lane is idle only when all entries are taken. On a GPU one for each entry.
+size_t item_count(const TynContext &context, const TynWalkParameters &parameters) {
+  size_t slices = (parameters.count + size_t(parameters.slice) - 1) / parameters.slice;
+  return context.is_gpu() ? slices : std::min<size_t>(slices, std::max(1u, context.device_info.compute_units));
 }
 
 } // namespace
@@ -40,10 +45,10 @@ void enqueue_walk(TynScene &scene, TynWalkParameters parameters, cl_mem entries,
   TynContext &context = scene.context;
   const SceneBuffers &b = scene.buffers;
   parameters.slice = slice_length(context, parameters.count);
-  size_t items = (parameters.count + size_t(parameters.slice) - 1) / parameters.slice;
-  context.launch("walk", "walk_paths", items, context.is_gpu() ? 64 : 1, b.nodes, b.blocks, b.triangles, b.positions,
-                 b.normals, b.uvs, b.meshes, b.media, b.phases, b.phase_tables, entries, exits, tallies, b.turned,
-                 parameters);
+  context.fill_zero(b.walk_queue);
+  context.launch("walk", "walk_paths", item_count(context, parameters), context.is_gpu() ? 64 : 1, b.nodes, b.blocks,
+                 b.triangles, b.positions, b.normals, b.uvs, b.meshes, b.media, b.phases, b.phase_tables, entries,
+                 exits, tallies, b.turned, b.distances, b.walk_queue, parameters);
 }
 
 } // namespace tyn

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Embree's own rays over the meshes of a scene: the independent answer to tyn_intersect.
+// Embree's own rays and point queries over the meshes of a scene: the independent answer to tyn_intersect.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -17,9 +17,12 @@ public:
   // t, mesh and triangle of the nearest hit; u, v and normal stay 0.
   TynHit intersect(const TynRay &ray) const;
   bool occluded(const TynRay &ray) const;
+  // From a point to the nearest triangle of mesh 0.
+  float distance(const float (&point)[3]) const;
 
 private:
   struct Handles;
+  const std::vector<tyn::Mesh> meshes;
   Handles *handles;
 };
 

@@ -66,6 +66,8 @@ const Layout &host_layout() {
       FIELD(TynMeshRecord, root), FIELD(TynMeshRecord, first_triangle),
       FIELD(TynMeshRecord, triangle_count), FIELD(TynMeshRecord, medium), FIELD(TynMeshRecord, flags),
       FIELD(TynMeshRecord, slack), FIELD(TynMeshRecord, lower), FIELD(TynMeshRecord, upper),
+      FIELD(TynMeshRecord, grid_first), FIELD(TynMeshRecord, grid_size), FIELD(TynMeshRecord, grid_cell),
+      FIELD(TynMeshRecord, grid_per_cell), FIELD(TynMeshRecord, grid_step),
 
       RECORD(TynMediumRecord),
       FIELD(TynMediumRecord, sigma_t), FIELD(TynMediumRecord, g), FIELD(TynMediumRecord, albedo),
@@ -85,6 +87,7 @@ const Layout &host_layout() {
 
       RECORD(TynWalkTally),
       FIELD(TynWalkTally, reflected), FIELD(TynWalkTally, absorbed), FIELD(TynWalkTally, balance),
+      FIELD(TynWalkTally, rays),
 
       RECORD(TynImageRecord),
       FIELD(TynImageRecord, width), FIELD(TynImageRecord, height), FIELD(TynImageRecord, format),
@@ -268,11 +271,11 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynBvhNode), 224u);
   EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
   EXPECT_EQ(sizeof(TynTriangleRecord), 20u);
-  EXPECT_EQ(sizeof(TynMeshRecord), 48u);
+  EXPECT_EQ(sizeof(TynMeshRecord), 76u);
   EXPECT_EQ(sizeof(TynPhaseRecord), 32u);
   EXPECT_EQ(sizeof(TynMediumRecord), 48u);
   EXPECT_EQ(sizeof(TynWalkParameters), 48u);
-  EXPECT_EQ(sizeof(TynWalkTally), 36u);
+  EXPECT_EQ(sizeof(TynWalkTally), 40u);
 }
 
 } // namespace

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// Grids of lower bounds of the distance to a mesh's surface, for kernels/distance_bound.clh: a walk's flight that is shorter
+// than the bound where it starts needs no ray.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace tyn {
+
+// Fills in the grids' fields of the records, whose bounds and slack are there, and returns the codes of all grids one after
+// the other. Meshes that hold a medium have cells of about 1 / 160 of their size; closed ones without, which an entry may
+// give a medium of its own, coarser ones; open ones without a medium none (walks through them trace every flight). Scenes
+// of many meshes get coarser grids, so that all of them stay below 40 MB.
+std::vector<uint8_t> build_distance_grids(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records);
+
+} // namespace tyn

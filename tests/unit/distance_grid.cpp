@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// The grids of lower bounds: below the exact distance everywhere, not far below it, and without a trace in what walks give.
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "common/embree_oracle.hpp"
+#include "common/walk_scene.hpp"
+#include "scene/distance_grid.hpp"
+
+namespace {
+
+using namespace tyn_test;
+
+// What distance_bound.clh computes, in double.
+double bound_at(const TynMeshRecord &record, const std::vector<uint8_t> &codes, const float *p) {
+  uint64_t index = record.grid_first, stride = 1;
+  double squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    double x = (double(p[k]) - double(record.lower[k])) * double(record.grid_per_cell);
+    double cell = std::floor(std::clamp(x, 0.0, double(record.grid_size[k] - 1)));
+    squared += (x - cell - 0.5) * (x - cell - 0.5);
+    index += stride * uint64_t(cell);
+    stride *= record.grid_size[k];
+  }
+  double code = codes[index];
+  return code * code * double(record.grid_step) - std::sqrt(squared) * double(record.grid_cell);
+}
+
+struct Grids {
+  SceneHandle scene;
+  std::vector<TynMeshRecord> records;
+  std::vector<uint8_t> codes;
+
+  explicit Grids(const MeshData &mesh) : scene(make_scene(shared_context(), mesh, grey_medium(0, 1))) {
+    records = scene->mesh_records;
+    codes = tyn::build_distance_grids(scene->meshes, records);
+  }
+};
+
+// Three in four points anywhere in bounds a little too wide, the others near the surface.
+class Points {
+public:
+  Points(const tyn::Mesh &mesh_, uint32_t seed) : mesh(mesh_), random(seed) {
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, mesh.info.upper[k] - mesh.info.lower[k]);
+  }
+
+  void next(float (&p)[3]) {
+    float offset = random() % 4 ? 1 : std::ldexp(1.0f, -int(random() % 24));
+    if (offset == 1) {
+      for (int k = 0; k < 3; ++k)
+        p[k] = mesh.info.lower[k] + (1.1f * uniform(random) - 0.05f) * (mesh.info.upper[k] - mesh.info.lower[k]);
+      return;
+    }
+    size_t triangle = random() % (mesh.indices.size() / 3);
+    float u = uniform(random), v = uniform(random) * (1 - u);
+    for (int k = 0; k < 3; ++k) {
+      const float *corner[3];
+      for (size_t i = 0; i < 3; ++i)
+        corner[i] = &mesh.positions[mesh.indices[3 * triangle + i]].x + k;
+      p[k] = *corner[0] * (1 - u - v) + *corner[1] * u + *corner[2] * v + (uniform(random) - 0.5f) * offset * longest;
+    }
+  }
+
+private:
+  const tyn::Mesh &mesh;
+  std::mt19937 random;
+  std::uniform_real_distribution<float> uniform;
+  float longest = 0;
+};
+
+class DistanceGrid : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(DistanceGrid, IsBelowTheDistanceEverywhere) {
+  Grids grids(GetParam().mesh);
+  const TynMeshRecord &record = grids.records[0];
+  ASSERT_GT(record.grid_cell, 0.0f);
+  EmbreeOracle oracle(grids.scene->meshes);
+  Points points(grids.scene->meshes[0], 5);
+  double worst = -INFINITY, lost = 0;
+  int within = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    float p[3];
+    points.next(p);
+    double bound = bound_at(record, grids.codes, p), distance = double(oracle.distance(p));
+    double out = INFINITY; // to where the point would leave the bounds; below 0 outside
+    for (int k = 0; k < 3; ++k)
+      out = std::min({out, double(p[k]) - double(record.lower[k]), double(record.upper[k]) - double(p[k])});
+    // the walk counts hits from a little behind its start on
+    worst = std::max({worst, bound - std::max(0.0, distance - double(record.slack)), bound - std::max(0.0, out)});
+    if (distance > 4 * double(record.grid_cell) && out > distance) {
+      lost += distance - bound;
+      ++within;
+    }
+  }
+  EXPECT_LE(worst, 0);
+  if (within > 1000) {
+    EXPECT_LT(lost / within, 2.5 * double(record.grid_cell) + 5 * double(record.slack)); // worth having
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEvery, DistanceGrid, testing::ValuesIn(closed_meshes()),
+                         [](const auto &one) { return std::to_string(one.index); });
+
+TEST(DistanceGrids, AreCoarserWithoutAMediumAndAbsentInOpenMeshes) {
+  MeshData meshes[3] = {cube(), cube(), open_hemisphere(3)};
+  TynScene *created = nullptr;
+  ASSERT_EQ(tyn_scene_create(shared_context(), nullptr, &created), TYN_OK);
+  SceneHandle scene(created);
+  TynMedium medium = grey_medium(0, 1);
+  for (int i = 0; i < 3; ++i) {
+    TynMesh view = meshes[i].view();
+    if (i == 0) {
+      ASSERT_EQ(tyn_scene_add_medium(scene.get(), &medium, &view.medium), TYN_OK);
+    }
+    ASSERT_EQ(tyn_scene_add_mesh(scene.get(), &view, nullptr), TYN_OK);
+  }
+  ASSERT_EQ(tyn_scene_commit(scene.get()), TYN_OK);
+  const std::vector<TynMeshRecord> &records = scene->mesh_records;
+  EXPECT_GT(records[0].grid_cell, 0.0f);
+  EXPECT_GT(records[1].grid_cell, 3 * records[0].grid_cell);
+  EXPECT_EQ(records[2].grid_cell, 0.0f);
+  EXPECT_EQ(records[2].grid_step, 0.0f);
+}
+
+// Walks with the grid and with one of zeros, which traces every flight.
+void expect_no_trace(const MeshData &mesh, const TynMedium &medium, size_t count) {
+  SceneHandle scene = make_scene(shared_context(), mesh, medium);
+  std::vector<TynWalkEntry> entries = surface_entries(mesh, count, 77);
+  for (size_t i = 0; i < entries.size(); ++i)
+    entries[i].roughness = i % 2 ? 0.4f : 0.0f;
+  TynWalkOptions options = tyn_walk_options();
+  options.max_scatterings = 3000; // the longest mean free paths need no limit, and the shortest would take very long
+  Walked with = walk(scene.get(), entries, options);
+  std::vector<uint8_t> zeros(scene->buffers.distances.size(), 0);
+  shared_context()->write(scene->buffers.distances, zeros.data(), zeros.size());
+  Walked without = walk(scene.get(), entries, options);
+  EXPECT_EQ(std::memcmp(&with.ledger, &without.ledger, sizeof with.ledger), 0);
+  for (size_t i = 0; i < entries.size(); ++i)
+    ASSERT_EQ(std::memcmp(&with.exits[i], &without.exits[i], sizeof with.exits[i]), 0) << "walk " << i;
+}
+
+class DistanceGridWalk : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(DistanceGridWalk, GivesTheSameBitsAsTracingEveryFlight) {
+  for (float mean_free_path : {1e-4f, 1e-3f, 1e-2f, 0.1f, 1.0f, 10.0f})
+    for (float ior : {1.0f, 1.4f}) {
+      SCOPED_TRACE(mean_free_path);
+      SCOPED_TRACE(ior);
+      const float s = 0.5f / mean_free_path; // most meshes are about 2 wide
+      expect_no_trace(GetParam().mesh, rgb_medium({0.002f * s, 0.01f * s, 0.1f * s}, {s, 2 * s, s}, 0.7f, ior), 400);
+    }
+}
+
+std::vector<NamedMesh> walked_meshes() {
+  std::vector<NamedMesh> meshes = closed_meshes();
+  meshes.push_back({"cube with sliver", cube_with_sliver()});
+  meshes.push_back({"hemisphere with a hole", open_hemisphere(3)});
+  meshes.push_back({"zero areas", with_zero_area_triangles(icosphere(2))});
+  return meshes;
+}
+
+INSTANTIATE_TEST_SUITE_P(InEvery, DistanceGridWalk, testing::ValuesIn(walked_meshes()),
+                         [](const auto &one) { return std::to_string(one.index); });
+
+} // namespace
