@@ -15,7 +15,8 @@ typedef struct TynSlabLayerRecord {
   float thickness; // INFINITY: a half-space
   float ior;
   uint32_t general; // 1: the phase function is not Henyey-Greenstein's
-  uint32_t reserved;
+  float
+      absorption; // the chance that an event ends a walk, where 1 - albedo is too small for a float's 1 - ...: then albedo is 1
 } TynSlabLayerRecord; // 32 bytes
 
 #define TYN_SLAB_MAX_LAYERS 64
@@ -29,6 +30,7 @@ typedef struct TynSlabLayerRecord {
 #define TYN_SLAB_MATCHED 32u  // one index of refraction throughout
 #define TYN_SLAB_BINS 64u     // what leaves is sorted into bins
 #define TYN_SLAB_CLEAR 128u   // some layer has no extinction
+#define TYN_SLAB_ANALOG 256u  // some layer absorbs walks as a whole
 
 // Tallies are 64-bit integers, so that their sum does not depend on the order. A weight, which is at most 1, is rounded to a
 // multiple of 2^-23; those of a sweep, which may be very small, to 2^-36. A batch has at most 2^16 photons: no tally overflows.

@@ -18,7 +18,8 @@
 #include "slab_state.clh"
 #include "slab_tally.clh"
 
-#define SLAB_TRAPPED 65536u // interfaces of clear layers met, after which a walk is cut
+#define SLAB_TRAPPED                                                                                                   \
+  65536u // reflections without an event, after which a walk is cut: rounding can make total ones of them
 
 // Hands over what a lane has gathered in its layer for the sweep.
 static void slab_leave_layer(SlabWalks *walks, int lane) {
@@ -119,6 +120,7 @@ static LaneInt slab_cross(const SlabRun *run, SlabWalks *walks, LaneInt mask, La
     LaneInt reflected = mask & lane_lt(lane_uniform(random), fresnel);
     through &= ~reflected;
     walks->direction[2].all = lane_choose(reflected, -uz, uz);
+    walks->reflections.all -= lane_as_uint(reflected);
   }
   LaneInt exits = through;
   if (run->p.layer_count > 1u) {
@@ -204,9 +206,13 @@ static void slab_tally_depth(const SlabRun *run, const SlabWalks *walks, LaneInt
     slab_add(run->tally + tally.lane[lane], (ulong)weight.lane[lane]);
 }
 
-// A flight through a clear layer: adds its length to the depth bins it passes, in units of a bin's width, and says whether the
-// walk is trapped. Only there can rounding reflect light for ever.
-TYN_RARE static int slab_fly_clear(const SlabRun *run, SlabWalks *walks, int lane, float from) {
+// Lanes in layers without extinction.
+static LaneInt slab_clear_lanes(const SlabWalks *walks) {
+  return lane_lt((LaneFloat)(1e29f), walks->mean_free_path.all);
+}
+
+// A flight through a clear layer: adds its length to the depth bins it passes, in units of a bin's width.
+TYN_RARE static void slab_fly_clear(const SlabRun *run, const SlabWalks *walks, int lane, float from) {
   float to = walks->z.lane[lane], top = walks->top.lane[lane];
   float first = (top + fmin(from, to)) * run->p.depth_scale, last = (top + fmax(from, to)) * run->p.depth_scale;
   float slant = fmin(1.0f / fabs(walks->direction[2].lane[lane]), 1e4f);
@@ -215,13 +221,11 @@ TYN_RARE static int slab_fly_clear(const SlabRun *run, SlabWalks *walks, int lan
     float part = fmin(last, (float)(bin + 1u)) - fmax(first, (float)bin);
     slab_add(tally + bin, (ulong)(walks->weight.lane[lane] * part * slant * TYN_SLAB_WEIGHT_SCALE + 0.5f));
   }
-  return ++walks->straight[lane] > SLAB_TRAPPED;
 }
 
 // Moves the lanes in `mask` along their flights, to their ends or to the interface before. Returns the mask of those that met
-// one; *down: the lower one. *trapped: walks to be cut.
-static LaneInt slab_fly(const SlabRun *run, SlabWalks *walks, LaneInt mask, LaneFloat flight, LaneInt *down,
-                        LaneInts *trapped) {
+// one; *down: the lower one.
+static LaneInt slab_fly(const SlabRun *run, SlabWalks *walks, LaneInt mask, LaneFloat flight, LaneInt *down) {
   LaneFloat uz = walks->direction[2].all;
   LaneFloats before;
   before.all = walks->z.all;
@@ -238,27 +242,31 @@ static LaneInt slab_fly(const SlabRun *run, SlabWalks *walks, LaneInt mask, Lane
     walks->position[0].all = lane_fma(walks->direction[0].all, length, walks->position[0].all);
     walks->position[1].all = lane_fma(walks->direction[1].all, length, walks->position[1].all);
   }
-  trapped->all = (LaneInt)(0);
-  if (run->p.flags & TYN_SLAB_CLEAR)
-    for (uint bits = lane_bits(crosses & lane_lt((LaneFloat)(1e29f), walks->mean_free_path.all)); bits;
-         bits &= bits - 1u) {
+  if (run->p.flags & TYN_SLAB_CLEAR && run->p.depth_bins)
+    for (uint bits = lane_bits(mask & slab_clear_lanes(walks)); bits; bits &= bits - 1u) {
       int lane = lane_lowest(bits);
-      if (slab_fly_clear(run, walks, lane, before.lane[lane]))
-        trapped->lane[lane] = -1;
+      slab_fly_clear(run, walks, lane, before.lane[lane]);
     }
   return crosses;
 }
 
 // Scatters the lanes in `mask`. Returns the mask of those that roulette ends.
 static LaneInt slab_scatter(const SlabRun *run, SlabWalks *walks, LaneInt mask, const LaneUint random[4]) {
-  if (run->p.depth_bins)
-    slab_tally_depth(run, walks, mask);
   LaneFloat kept = walks->weight.all * walks->albedo.all;
   walks->order.all -= lane_as_uint(mask);
+  walks->reflections.all &= ~lane_as_uint(mask);
   slab_turn(run, walks, mask, random);
   LaneFloat threshold = (LaneFloat)(run->p.roulette_threshold);
   LaneInt plays = lane_lt(kept, threshold);
-  LaneInt dies = plays & lane_le(kept, lane_uniform(random[3]) * threshold);
+  LaneFloat u = lane_uniform(random[3]);
+  LaneInt dies = (LaneInt)(0);
+  if (run->p.flags & TYN_SLAB_ANALOG) {
+    LaneFloat a = walks->absorption.all;
+    u = lane_uniform_fine(random[3]);
+    dies = lane_le(u, a);
+    u = (u - a) / (1.0f - a); // uniform again for those that go on
+  }
+  dies |= plays & lane_le(kept, u * threshold);
   kept = lane_choose(plays, threshold, kept);
   walks->weight.all = lane_choose(mask, kept, walks->weight.all);
   return mask & dies;
@@ -314,13 +322,20 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
     walks.draw += 1u;
 
     LaneInt down;
-    LaneInts trapped;
     LaneFloat flight = -lane_log(lane_uniform_fine(random[0])) * walks.mean_free_path.all;
-    LaneInt crosses = slab_fly(&run, &walks, ready, flight, &down, &trapped);
+    LaneInt crosses = slab_fly(&run, &walks, ready, flight, &down);
     LaneInt scatters = ready & ~crosses;
-    LaneInt cut = trapped.all;
+    if (run.p.flags & TYN_SLAB_CLEAR)
+      scatters &= ~slab_clear_lanes(&walks);
+    if (run.p.depth_bins)
+      slab_tally_depth(&run, &walks, scatters);
+    LaneInt cut = (LaneInt)(0);
     if (run.p.max_order)
-      cut |= scatters & lane_le((LaneUint)(run.p.max_order), walks.order.all);
+      cut = scatters & lane_le((LaneUint)(run.p.max_order), walks.order.all);
+    if (step % SLAB_SUM_STEPS == 0u) {
+      slab_empty_sums(&run, &sums);
+      cut |= ready & lane_lt((LaneUint)(SLAB_TRAPPED), walks.reflections.all);
+    }
     if (lane_any(cut)) {
       slab_cut(&run, &walks, cut);
       scatters &= ~cut;
@@ -334,8 +349,6 @@ kernel void slab_walk(global const TynSlabLayerRecord *layers, global const TynP
     LaneInt over = exits | dies | cut;
     ready = walks.active.all & ~over;
     walks.active.all = ready;
-    if (step % SLAB_SUM_STEPS == 0u)
-      slab_empty_sums(&run, &sums);
   }
   slab_empty_sums(&run, &sums);
 }

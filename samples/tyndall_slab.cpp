@@ -40,7 +40,7 @@ void check_outputs(const Arguments &arguments) {
       tool::check_writable(*file, kUnwritable);
 }
 
-// Runs until a limit is reached or the user has had enough; there is always a result, of one round at least.
+// Runs until a limit is reached or the user has had enough; there is always a result, of one batch at least.
 void simulate(TynContext *context, const Stack &stack, bool quiet, Results &results) {
   Display display = {quiet, {}};
   TynSlabOptions options = stack.options();

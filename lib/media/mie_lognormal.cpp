@@ -168,7 +168,7 @@ MieMeans mie_lognormal(const TynMieDistribution &distribution, const double *cos
   require_positive("TynMieDistribution::median_radius", distribution.median_radius);
   require_between("TynMieDistribution::geometric_deviation", distribution.geometric_deviation, 1, 5);
   require_positive("TynMieDistribution::wavelength", distribution.wavelength);
-  if (distribution.geometric_deviation == 1)
+  if (std::log(distribution.geometric_deviation) < 1e-9) // narrower than quadrature can tell from one sphere
     return single_sphere(distribution, cosines, count);
   Integral integral(distribution, cosines, count);
   MieMeans means = integrate(integral);

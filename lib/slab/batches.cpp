@@ -14,6 +14,8 @@ namespace {
 
 constexpr uint64_t tally_memory = uint64_t(32) << 20; // bytes of the tallies of all batches of a launch
 constexpr uint64_t most_batches_at_once = 256;
+// Below this 1 - albedo is too coarse as a float next to 1: events then absorb walks as a whole, with a probability.
+constexpr double analog_absorption = 1e-4;
 constexpr uint32_t gpu_slice = 4; // photons a work-item; its hardware keeps itself full with many of them
 
 template <class T>
@@ -34,7 +36,9 @@ TynSlabLayerRecord layer_record(const SlabLayer &layer, size_t channel, const Ty
   TynSlabLayerRecord record{};
   const double sigma_t = layer.sigma_a[channel] + layer.sigma_s[channel];
   record.mean_free_path = sigma_t > 0 ? float(std::min(1 / sigma_t, 1e28)) : 1e30f;
-  record.albedo = sigma_t > 0 ? float(layer.sigma_s[channel] / sigma_t) : 1.0f;
+  const double absorption = sigma_t > 0 ? layer.sigma_a[channel] / sigma_t : 0;
+  record.absorption = absorption < analog_absorption ? float(absorption) : 0.0f;
+  record.albedo = absorption < analog_absorption ? 1.0f : float(layer.sigma_s[channel] / sigma_t);
   record.general = phase.kind != TYN_PHASE_HENYEY_GREENSTEIN;
   record.g = record.general ? 0.0f : phase.g;
   record.top = float(top);
@@ -62,9 +66,12 @@ uint32_t flags_of(const Slab &slab, const TynSlabOptions &options, const std::ve
   if (options.radial_bins || options.angular_bins || options.order_bins || options.path_bins || options.sweep_count)
     flags |= TYN_SLAB_BINS;
   for (const SlabLayer &layer : slab.layers)
-    for (uint32_t c = 0; c < slab.channels; ++c)
+    for (uint32_t c = 0; c < slab.channels; ++c) {
       if (layer.sigma_a[c] + layer.sigma_s[c] == 0)
         flags |= TYN_SLAB_CLEAR;
+      else if (layer.sigma_a[c] > 0 && layer.sigma_a[c] < analog_absorption * (layer.sigma_a[c] + layer.sigma_s[c]))
+        flags |= TYN_SLAB_ANALOG;
+    }
   return flags;
 }
 
@@ -81,7 +88,7 @@ BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOp
   // where nothing is resolved over the radius it does not matter where light arrives
   base.beam = options.radial_bins ? options.beam : uint32_t(TYN_BEAM_PENCIL);
   base.beam_radius = float(options.beam_radius);
-  lay_out_tallies(options, base);
+  lay_out_tallies(options, slab.channels, base);
   set_incidence(slab, options);
   PhaseTables phase_tables;
   std::vector<TynPhaseRecord> records;
@@ -159,7 +166,10 @@ const int64_t *BatchEngine::walk(size_t channel, uint64_t first, uint32_t count,
   parameters.first_photon[1] = uint32_t(first >> 32);
   parameters.count = count;
   parameters.batch = batch;
-  parameters.slice = context.is_gpu() ? std::min(batch, gpu_slice) : batch;
+  // one lane wide, tallies are atomic and a batch may be shared: on a GPU by many, on a CPU by a few
+  parameters.slice = batch;
+  if (context.lanes() == 1)
+    parameters.slice = context.is_gpu() ? std::min(batch, gpu_slice) : std::max(1u, batch / 4);
   parameters.batch_items = (batch + parameters.slice - 1) / parameters.slice;
   const uint32_t used = (count + batch - 1) / batch;
   launch(channel, parameters, used);

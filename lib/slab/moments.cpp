@@ -22,7 +22,7 @@ TynEstimate Moments::estimate(size_t index) const {
   if (batches < 2)
     return {mean, std::numeric_limits<double>::quiet_NaN()};
   // what the rounding of the sums can make of batches that are all alike is no spread
-  const double rounding = batches * std::numeric_limits<double>::epsilon() * sum_of_squares[index];
+  const double rounding = 4 * std::sqrt(batches) * std::numeric_limits<double>::epsilon() * sum_of_squares[index];
   const double spread = sum_of_squares[index] - mean * sum[index];
   return {mean, spread > rounding ? std::sqrt(spread / (batches - 1) / photons_total) : 0};
 }

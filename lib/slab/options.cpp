@@ -12,6 +12,7 @@ namespace {
 constexpr uint32_t most_bins = 1000000; // of one axis
 constexpr uint64_t most_photons = uint64_t(1e15);
 constexpr uint32_t most_sweep_rows = 4096;
+constexpr double least_absorption = 1e-7; // 1 - albedo of a half-space
 
 void require_bins(const char *name, uint32_t bins, uint32_t most = most_bins) {
   if (bins > most)
@@ -74,6 +75,10 @@ void check_sweep(const TynSlabOptions &options, const Slab &slab) {
   require_bins("sweep_count", options.sweep_count, most_sweep_rows);
   if (!options.sweep_count)
     return;
+  if (options.max_order)
+    fail(TYN_ERROR_INVALID_ARGUMENT,
+         "max_order is %u and sweep_count %u; a sweep needs walks of any order (max_order 0)", options.max_order,
+         options.sweep_count);
   require_pointer("sweep_sigma_a", options.sweep_sigma_a);
   require_pointer("sweep_sigma_s", options.sweep_sigma_s);
   for (uint32_t row = 0; row < options.sweep_count; ++row)
@@ -95,11 +100,12 @@ void check_ends(const TynSlabOptions &options, const Slab &slab) {
     if (last.sigma_a[c] + last.sigma_s[c] == 0)
       fail(TYN_ERROR_INVALID_ARGUMENT,
            "the last layer is infinite and empty: light in it never comes to anything; give its ior as ior_below");
-    if (last.sigma_a[c] == 0 && options.max_order == 0)
+    if (last.sigma_a[c] < least_absorption * (last.sigma_a[c] + last.sigma_s[c]) && options.max_order == 0)
       fail(TYN_ERROR_INVALID_ARGUMENT,
-           "the last layer is infinite and does not absorb (sigma_a[%zu] is 0): its walks have no finite mean length; "
-           "give it a sigma_a or a thickness, or set max_order",
-           c);
+           "the last layer is infinite and all but white (sigma_a[%zu] is %g, sigma_s %g; 1 - albedo must be at least "
+           "%g): "
+           "its walks go on for too long; give it a thickness or more sigma_a, or set max_order",
+           c, last.sigma_a[c], last.sigma_s[c], least_absorption);
   }
 }
 

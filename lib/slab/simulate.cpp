@@ -22,9 +22,11 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 // How many photons the next batch has: a function of what is asked for and of what is done, never of time or of the device, so
 // that where batches end is reproducible. A standard error needs some tens of them. They grow with the run, since small ones
-// are less efficient, and are larger where there are many tallies to go through after each.
-uint32_t batch_size(uint64_t asked, uint32_t tallies, uint64_t done) {
-  const uint64_t first = std::clamp<uint64_t>(4 * uint64_t(tallies), 4096, TYN_SLAB_BATCH);
+// are less efficient; they are larger where there are many tallies to go through after each, and smaller where many channels
+// make a round of them long.
+uint32_t batch_size(uint64_t asked, uint32_t tallies, size_t channels, uint64_t done) {
+  const uint64_t least = std::max<uint64_t>(512 / channels, 64);
+  const uint64_t first = std::clamp<uint64_t>(4 * uint64_t(tallies), least, TYN_SLAB_BATCH);
   uint64_t size = asked ? std::clamp<uint64_t>(asked / 64, 1, first) : first;
   while (size < TYN_SLAB_BATCH && size * 64 <= done)
     size *= 2;
@@ -35,7 +37,7 @@ class Run {
 public:
   Run(TynContext &context, const Slab &slab_, const TynSlabOptions &options_)
       : slab(slab_), options(options_), engine(context, slab, options),
-        cores(std::max(1u, context.device_info.compute_units)), batches_at_once(4 * cores) {
+        cores(std::max(1u, context.device_info.compute_units)), batches_at_once(cores) {
     for (uint32_t c = 0; c < slab.channels; ++c)
       channels.emplace_back(slab, c, options, engine.parameters(), engine.specular());
   }
@@ -80,10 +82,10 @@ private:
   // Some batches of every channel.
   void launch() {
     const Clock::time_point begin = Clock::now();
-    const uint32_t size = batch_size(options.photons, engine.parameters().tally_count, done);
+    const uint32_t size = batch_size(options.photons, engine.parameters().tally_count, channels.size(), done);
     const uint64_t left = options.photons ? options.photons - done : UINT64_MAX;
     const uint64_t before_growth = size < TYN_SLAB_BATCH && size * 64ull > done ? size * 64ull - done : UINT64_MAX;
-    const uint32_t most = std::min(batches_at_once, engine.most_batches());
+    const uint32_t most = std::clamp(engine.most_batches() / uint32_t(channels.size()), 1u, batches_at_once);
     const uint64_t wanted = std::min({uint64_t(size) * most, left, round_up(before_growth, size)});
     const auto photons = uint32_t(wanted);
     std::vector<std::vector<int64_t>> tallies;

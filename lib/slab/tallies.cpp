@@ -11,7 +11,8 @@ namespace tyn {
 namespace {
 
 constexpr double pi = 3.14159265358979324;
-constexpr uint64_t most_tallies = uint64_t(1) << 22; // 32 MiB a batch
+constexpr uint64_t most_tallies = uint64_t(1) << 22;     // 32 MiB a batch
+constexpr uint64_t most_in_channels = uint64_t(1) << 23; // of all channels: each keeps its estimates
 
 double scale_of(uint32_t bins, double end) { return bins ? bins / end : 0; }
 
@@ -64,7 +65,8 @@ std::array<size_t, TYN_SLAB_QUANTITY_COUNT> counts_of(const TynSlabParameters &p
 
 } // namespace
 
-void lay_out_tallies(const TynSlabOptions &options, TynSlabParameters &p) {
+void lay_out_tallies(const TynSlabOptions &options, size_t channels, TynSlabParameters &p) {
+  const uint64_t most = std::min<uint64_t>(most_tallies, most_in_channels / channels);
   p.radial_bins = options.radial_bins;
   p.angular_bins = options.angular_bins;
   p.depth_bins = options.depth_bins;
@@ -76,12 +78,12 @@ void lay_out_tallies(const TynSlabOptions &options, TynSlabParameters &p) {
   p.path_scale = float(scale_of(options.path_bins, options.path_max));
 
   uint64_t next = TYN_SLAB_TALLY_LAYERS + p.layer_count;
-  auto place = [&next](uint32_t &first, uint64_t count) {
+  auto place = [&](uint32_t &first, uint64_t count) {
     first = uint32_t(next);
     next += count;
-    if (next > most_tallies)
-      fail(TYN_ERROR_INVALID_ARGUMENT, "the bins asked for need more than %llu tallies: ask for fewer bins",
-           (unsigned long long)most_tallies);
+    if (next > most)
+      fail(TYN_ERROR_INVALID_ARGUMENT, "the bins asked for need more than %llu tallies a channel: ask for fewer bins",
+           (unsigned long long)most);
   };
   place(p.radial, 2 * uint64_t(p.radial_bins));
   place(p.angular, 2 * uint64_t(p.angular_bins));

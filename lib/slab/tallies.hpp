@@ -14,7 +14,7 @@ namespace tyn {
 
 // Sets the bins, their scales and the places of the tallies in the kernel's parameters. Throws INVALID_ARGUMENT if there are
 // too many.
-void lay_out_tallies(const TynSlabOptions &options, TynSlabParameters &parameters);
+void lay_out_tallies(const TynSlabOptions &options, size_t channels, TynSlabParameters &parameters);
 
 // The estimates of one channel, batch by batch.
 class Estimates {

@@ -46,10 +46,11 @@ TynPhase read_phase(const std::string &name, const TynSlabLayer &given) {
 }
 
 void require_thickness(const std::string &name, double thickness, bool last) {
-  if (thickness > 0 && (last || std::isfinite(thickness)))
+  // the device has single precision: what overflows there must not become a half-space
+  if (thickness > 0 && (thickness <= 1e20 || (last && std::isinf(thickness))))
     return;
-  fail(TYN_ERROR_INVALID_ARGUMENT, "%sthickness is %g; it must be > 0, and infinite in the last layer only",
-       name.c_str(), thickness);
+  fail(TYN_ERROR_INVALID_ARGUMENT,
+       "%sthickness is %g; it must be > 0, at most 1e20, and infinite in the last layer only", name.c_str(), thickness);
 }
 
 SlabLayer read_layer(const TynSlabLayer *given, uint32_t index, uint32_t count, uint32_t channels) {

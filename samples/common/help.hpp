@@ -43,6 +43,11 @@ inline bool parse_or_answer(CLI::App &app, const char *tool_name, int argc, char
   app.set_version_flag("--version", version_line(tool_name), "print the version");
   try {
     app.parse(argc, argv);
+    // an unset variable in a script: not the same as an option that was not given
+    for (const CLI::Option *option : app.get_options())
+      for (const std::string &word : option->results())
+        if (word.empty())
+          throw CLI::ValidationError(option->get_name(), "the value is empty");
   } catch (const CLI::CallForHelp &) {
     std::fputs(app.help().c_str(), stdout);
     return false;

@@ -34,7 +34,11 @@ std::string one_line(std::string text) {
 
 int run(const char *name, int argc, char **argv, int (*body)(int, char **)) {
   try {
-    return body(argc, argv);
+    const int code = body(argc, argv);
+    // what a full disk swallows only shows here
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw Error(kFailed, "standard output could not be written");
+    return code;
   } catch (const Error &error) {
     report(name, error.what());
     return error.code();

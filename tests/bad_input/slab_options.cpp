@@ -72,11 +72,15 @@ TEST(BadSlabOptions, SweepsThatTheSlabDoesNotBound) {
   expect_options_refused(sweep(more_scattering), "sigma_s is 9.5; it must be at most the slab's own, 9");
   expect_options_refused(sweep(less_extinction), "sigma_a + sigma_s is 9.5; it must be at least the slab's own, 10");
   expect_options_refused(sweep(negative), "sweep_sigma_a is -1");
+  static const double same[] = {1.0, 9.0};
+  expect_options_refused([&](TynSlabOptions &o) { sweep(same)(o), o.max_order = 3; }, "max_order is 3");
 }
 
 TEST(BadSlabOptions, SlabsWhoseWalksWouldNeverEnd) {
   const TynSlabOptions options = tyn_slab_options();
-  expect_refused(ExactSlab({{0, 9, 0, 1, INFINITY}}), options, "does not absorb");
+  expect_refused(ExactSlab({{0, 9, 0, 1, INFINITY}}), options, "all but white");
+  expect_refused(ExactSlab({{1e-8, 9, 0, 1, INFINITY}}), options, "all but white");
+  expect_refused(ExactSlab({{1, 9, 0, 1, 1e39}}), options, "thickness is 1e+39");
   expect_refused(ExactSlab({{0, 0, 0, 1, INFINITY}}), options, "infinite and empty");
   expect_refused(ExactSlab({{1, 9, 0, 1, INFINITY}, {1, 9, 0, 1, 1}}), options, "thickness");
   expect_refused(ExactSlab({{1, 9, 0, 1, -1}}), options, "thickness");

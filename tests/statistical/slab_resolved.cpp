@@ -142,6 +142,53 @@ TEST(ResolvedSlab, MeanPathLengthOfAWhiteSlab) {
   EXPECT_LT(outcome.error(TYN_SLAB_DEPTH_FLUENCE)[0], 2e-3);
 }
 
+// Absorption goes to the layer that absorbs: the same events give it as an average over the depths.
+TEST(ResolvedSlab, AbsorptionGoesToItsLayer) {
+  ExactSlab slab({{0.7, 3, 0.5, 1.3, 0.5}, {0.1, 6, 0, 1.5, 1}, {2, 1, -0.5, 1, 0.5}});
+  TynSlabOptions options = slab_options(1000000, 37);
+  options.depth_max = 2;
+  options.depth_bins = 4;
+  const SlabOutcome outcome = simulate(slab.view(), options);
+  const std::vector<double> &depth = outcome.value(TYN_SLAB_DEPTH_ABSORBED),
+                            &error = outcome.error(TYN_SLAB_DEPTH_ABSORBED);
+  const double expected[3] = {0.5 * depth[0], 0.5 * (depth[1] + depth[2]), 0.5 * depth[3]};
+  const double errors[3] = {0.5 * error[0], 0.5 * (error[1] + error[2]), 0.5 * error[3]};
+  for (size_t i = 0; i < 3; ++i) {
+    const double both = errors[i] + outcome.error(TYN_SLAB_LAYER_ABSORBED)[i];
+    EXPECT_NEAR(outcome.value(TYN_SLAB_LAYER_ABSORBED)[i], expected[i], 4 * both) << i;
+    EXPECT_LT(both, 0.01 * expected[i]) << i;
+  }
+}
+
+// Light of order 0 alone is the beam, and its fluence that of Beer's law; with order 1 the first scattered light joins it.
+TEST(ResolvedSlab, FluenceOfLimitedOrders) {
+  ExactSlab slab({{0.25, 0.75, 0, 1, 1}});
+  TynSlabOptions options = slab_options(1000000, 38);
+  options.max_order = 1;
+  options.depth_max = 1;
+  options.depth_bins = 1;
+  const SlabOutcome outcome = simulate(slab.view(), options);
+  // beam: 1 - exp(-1). Scattered once at depth z, isotropically: a mean path of (2 - E2(z) - E2(1 - z)) / 2 within the slab
+  const auto e2 = [](double x) { return integral([x](double u) { return std::exp(-x / u); }); };
+  const double once = integral([&](double z) { return 0.75 * std::exp(-z) * (2 - e2(z) - e2(1 - z)) / 2; });
+  EXPECT_NEAR(outcome.value(TYN_SLAB_DEPTH_FLUENCE)[0], 1 - std::exp(-1.0) + once,
+              4 * outcome.error(TYN_SLAB_DEPTH_FLUENCE)[0]);
+}
+
+// Albedos so near 1 that events absorb walks as a whole, in a half-space and in a stack where others lose weight.
+TEST(ResolvedSlab, AlbedosNextToOne) {
+  ExactSlab deep({{2e-6, 1, 0.2, 1.4, INFINITY}});
+  EXPECT_LT(std::abs(deviation(simulate(deep.view(), slab_options(200000, 39)).totals[0].reflectance,
+                               deep.solve().reflectance)),
+            4);
+  ExactSlab stack({{1e-5, 10, 0, 1.4, 20}, {0.5, 1, 0.3, 1, 1}});
+  const TynSlabTotals totals = simulate(stack.view(), slab_options(400000, 40)).totals[0];
+  const TynAddingDoublingResult exact = stack.solve();
+  EXPECT_LT(std::abs(deviation(totals.reflectance, exact.reflectance)), 4);
+  EXPECT_LT(std::abs(deviation(totals.transmittance, exact.transmittance)), 4);
+  EXPECT_LT(std::abs(deviation(totals.absorbed, exact.absorbed)), 4);
+}
+
 // A disc and a Gaussian beam are the pencil beam's R(r) spread out: what does not interact leaves where it arrived.
 TEST(ResolvedSlab, BeamsArriveWhereTheyShould) {
   ExactSlab slab({{0, 1e-3, 0, 1, 1e-3}});

@@ -161,7 +161,7 @@ const Layout &host_layout() {
       RECORD(TynSlabLayerRecord),
       FIELD(TynSlabLayerRecord, mean_free_path), FIELD(TynSlabLayerRecord, albedo), FIELD(TynSlabLayerRecord, g),
       FIELD(TynSlabLayerRecord, top), FIELD(TynSlabLayerRecord, thickness), FIELD(TynSlabLayerRecord, ior),
-      FIELD(TynSlabLayerRecord, general), FIELD(TynSlabLayerRecord, reserved),
+      FIELD(TynSlabLayerRecord, general), FIELD(TynSlabLayerRecord, absorption),
 
       RECORD(TynSlabParameters),
       FIELD(TynSlabParameters, seed), FIELD(TynSlabParameters, first_photon), FIELD(TynSlabParameters, count),

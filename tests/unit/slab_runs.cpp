@@ -60,6 +60,29 @@ TEST(SlabRuns, TheSameBitsOverAnyNumberOfLanes) {
   }
 }
 
+// The same with what the first leaves out: diffuse light, a clear layer, a table, walks absorbed as a whole, limited orders.
+TEST(SlabRuns, TheSameBitsOverAnyNumberOfLanesWithTheRest) {
+  const double cosines[] = {-1, 0, 1}, shares[] = {1, 0.5, 3};
+  TynPhase table = tyn_phase();
+  table.kind = TYN_PHASE_TABULATED;
+  table.cosines = cosines;
+  table.values = shares;
+  table.count = 3;
+  ExactSlab slab({{0, 0, 0, 1.5, 0.1}, {1e-5, 4, 0, 1.4, 0.2, &table}, {1, 2, -0.4, 1, 0.3}}, 1.1, 1.3);
+  TynSlabOptions options = everything(3000);
+  options.sweep_count = 0;
+  options.angle = 0;
+  options.incidence = TYN_INCIDENCE_DIFFUSE;
+  options.beam = TYN_BEAM_DISC;
+  options.max_order = 30;
+  ContextHandle reference = make_context(1);
+  const SlabOutcome expected = simulate(slab.view(), options, reference.get());
+  for (uint32_t lanes : {4u, 8u, 16u}) {
+    ContextHandle context = make_context(lanes);
+    expect_same(simulate(slab.view(), options, context.get()), expected);
+  }
+}
+
 TEST(SlabRuns, TheSameSeedTheSameBits) {
   ExactSlab slab(layers());
   const SlabOutcome first = simulate(slab.view(), everything(50000));
@@ -83,7 +106,10 @@ TEST(SlabRuns, ChannelsAreRunsOfTheirOwn) {
   for (size_t c = 0; c < 3; ++c) {
     ExactSlab alone({{sigma_a[c], sigma_s[c], 0, 1, 0.5}});
     const TynSlabTotals expected = simulate(alone.view(), slab_options(20000, 8)).totals[0];
-    EXPECT_EQ(std::memcmp(&together.totals[c], &expected, sizeof expected), 0) << c;
+    // batches are smaller where there are channels: the errors are estimated from others, the values are the same
+    EXPECT_EQ(together.totals[c].reflectance.value, expected.reflectance.value) << c;
+    EXPECT_EQ(together.totals[c].transmittance.value, expected.transmittance.value) << c;
+    EXPECT_EQ(together.totals[c].absorbed.value, expected.absorbed.value) << c;
   }
 }
 
@@ -127,7 +153,7 @@ TEST(SlabRuns, StopAtATime) {
   options.seconds = 0.05;
   const SlabOutcome outcome = simulate(slab.view(), options);
   EXPECT_GE(outcome.run.seconds, 0.05);
-  EXPECT_GE(outcome.run.photons, 4096u);
+  EXPECT_GE(outcome.run.photons, 512u);
 }
 
 struct Watch {
@@ -156,8 +182,8 @@ TEST(SlabRuns, CancelledRunsKeepWhatIsDone) {
   TynSlabRun run{};
   run.size = sizeof run;
   ASSERT_EQ(tyn_slab_result_run(result, &run), TYN_OK);
-  EXPECT_GT(run.photons, 3u * 4096);
-  EXPECT_EQ(run.photons % 4096, 0u);
+  EXPECT_GE(run.photons, 3u * 512);
+  EXPECT_EQ(run.photons % 512, 0u);
   EXPECT_LT(run.photons, 10000000u);
   TynSlabTotals totals{};
   totals.size = sizeof totals;
@@ -188,6 +214,25 @@ TEST(SlabRuns, QuantitiesThatWereNotAskedForAreEmpty) {
   const SlabOutcome outcome = simulate(slab.view(), slab_options(1000));
   for (uint32_t quantity = 0; quantity < TYN_SLAB_QUANTITY_COUNT; ++quantity)
     EXPECT_EQ(outcome.value(quantity).size(), quantity == TYN_SLAB_LAYER_ABSORBED ? 2u : 0u);
+}
+
+// Light that rounding would reflect for ever is cut, not walked for ever.
+TEST(SlabRuns, GrazingLightInNearlyClearLayersEnds) {
+  for (double sigma_a : {0.0, 1e-9}) {
+    ExactSlab slab({{sigma_a, 0, 0, 1.33, 1}});
+    TynSlabOptions options = slab_options(1000);
+    options.angle = 89.99 * M_PI / 180;
+    const TynSlabTotals totals = simulate(slab.view(), options).totals[0];
+    EXPECT_NEAR(totals.reflectance.value + totals.transmittance.value + totals.absorbed.value + totals.cut.value, 1,
+                1e-6);
+  }
+}
+
+TEST(SlabRuns, ClearLayersNeverScatter) {
+  ExactSlab slab({{0, 0, 0, 1, 1}});
+  const SlabOutcome outcome = simulate(slab.view(), slab_options(100000000));
+  EXPECT_EQ(outcome.run.events, 0u);
+  EXPECT_EQ(outcome.totals[0].direct_transmittance.value, 1);
 }
 
 // At a grazing angle in a clear layer rounding may reflect light for ever.

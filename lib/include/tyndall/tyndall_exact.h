@@ -5,7 +5,8 @@
  * intensity, effective source, Seeliger's law, and the single scattering of a finite slab (Hanrahan & Krueger 1993).
  *
  * mu is the cosine of the angle from the normal, in (0, 1]; tau an optical depth; "albedo" the single-scattering albedo W.
- * Functions that return a double return NaN for arguments out of range.
+ * Functions that return a double return NaN for arguments out of range; those that return a status answer INVALID_ARGUMENT to
+ * them and to NULL where it is not allowed, and write nothing then.
  */
 #ifndef TYNDALL_EXACT_H
 #define TYNDALL_EXACT_H

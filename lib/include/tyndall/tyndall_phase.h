@@ -60,7 +60,8 @@ TYN_API TynStatus tyn_phase_mean_cosine(const TynPhase *phase, double *mean_cosi
 
 /* Rayleigh scattering cross-section of a small sphere, in the square of the unit of `radius`:
  * 8 pi / 3 (2 pi / lambda)^4 a^6 |(m^2 - 1) / (m^2 + 2)|^2 (Bohren & Huffman 1983, eq. 5.8): lambda^-4.
- * radius >= 0, wavelength (in the surrounding medium) > 0; m = relative_index[0] + i relative_index[1]. */
+ * radius >= 0, wavelength (in the surrounding medium) > 0; m = relative_index[0] + i relative_index[1], as in
+ * tyn_mie. */
 TYN_API TynStatus tyn_rayleigh_cross_section(double radius, double wavelength, const double relative_index[2],
                                              double *cross_section);
 
@@ -105,7 +106,7 @@ typedef struct TynMieCrossSections {
 } TynMieCrossSections;
 
 /* `cross_sections`: may be NULL. With `count` > 0: values[i] receives p(cosines[i]), weighted by scattering cross-section.
- * To 1e-6 where spheres are small; large ones keep 1e-4 in p. Takes seconds for a thousand cosines. A distribution that reaches
+ * To 1e-6 where spheres are small; large ones keep 1e-4 in p. A wide distribution of large spheres takes many seconds. A distribution that reaches
  * size parameters above 1e5 is INVALID_ARGUMENT. */
 TYN_API TynStatus tyn_mie_lognormal(const TynMieDistribution *distribution, TynMieCrossSections *cross_sections,
                                     const double *cosines, size_t count, double *values);

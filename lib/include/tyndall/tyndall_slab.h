@@ -18,12 +18,12 @@ extern "C" {
 /* One layer. */
 typedef struct TynSlabLayer {
   size_t size;           /* sizeof(TynSlabLayer), the same in every layer of an array */
-  const double *sigma_a; /* absorption in each spectral channel, 1/length, >= 0, finite; not NULL */
-  const double *sigma_s; /* scattering in each channel, 1/length, >= 0, finite; not NULL */
+  const double *sigma_a; /* absorption in each spectral channel, 1/length, >= 0, with sigma_s at most 1e30; not NULL */
+  const double *sigma_s; /* scattering in each channel, 1/length, >= 0; not NULL */
   double g; /* mean cosine of the Henyey-Greenstein phase function, in (-1, 1); ignored if there is a `phase` */
   const TynPhase *phase; /* NULL (default): Henyey-Greenstein with g */
   double ior;            /* [1, 4]; default 1 */
-  double thickness;      /* > 0; INFINITY (default) in the last layer only */
+  double thickness;      /* > 0, at most 1e20; INFINITY (default) in the last layer only */
 } TynSlabLayer;
 
 static inline TynSlabLayer tyn_slab_layer(void) {
@@ -57,19 +57,19 @@ static inline TynSlab tyn_slab(void) {
 
 typedef struct TynSlabOptions {
   size_t size;         /* sizeof(TynSlabOptions) */
-  uint32_t incidence;  /* TYN_INCIDENCE_* */
+  uint32_t incidence;  /* TYN_INCIDENCE_*; default COLLIMATED */
   double angle;        /* COLLIMATED: from the normal, in the medium above, radians, [0, pi/2) */
-  uint32_t beam;       /* TYN_BEAM_* */
-  double beam_radius;  /* DISC, GAUSSIAN: > 0 */
+  uint32_t beam;       /* TYN_BEAM_*; default PENCIL */
+  double beam_radius;  /* DISC, GAUSSIAN: > 0, length */
   uint64_t photons;    /* a channel; at most 1e15; 0: no limit. Default 1e6 */
-  double seconds;      /* wall-clock; 0 (default): no limit; looked at between launches of about 0.05 s */
+  double seconds;      /* wall-clock; 0 (default): no limit */
   double target_error; /* stops when the standard errors of the total reflectance and transmittance of every channel are
                           below it; 0 (default): none. Looked at at fixed photon counts, so where it stops is reproducible. */
   uint64_t seed;
   uint32_t max_order;          /* walks end when they would scatter once more; 0 (default): no limit */
   double roulette_threshold;   /* walks whose weight falls below it play Russian roulette, (0, 1]; default 0.1 */
   double radial_max;           /* radius at which R(r) and T(r) end, length, > 0 if there are bins */
-  uint32_t radial_bins;        /* equal steps from 0 to radial_max; 0 (default): none */
+  uint32_t radial_bins;        /* equal steps from 0 to radial_max; 0 (default): none. Bins of each kind: at most 1e6 */
   uint32_t angular_bins;       /* equal steps of the angle from the normal, 0 to pi/2; 0 (default): none */
   uint32_t radial_angular;     /* 1: R(r, angle) and T(r, angle) too, over the bins of both; default 0 */
   double depth_max;            /* depth at which absorption and fluence end, length, > 0 if there are bins */
@@ -77,7 +77,8 @@ typedef struct TynSlabOptions {
   uint32_t order_bins;         /* scattering orders 0 .. order_bins - 1; 0 (default): none */
   double path_max;             /* path length at which its distribution ends, length, > 0 if there are bins */
   uint32_t path_bins;          /* equal steps from 0 to path_max; 0 (default): none */
-  uint32_t sweep_count;        /* other media that the same photons answer for; 0 (default): none */
+  uint32_t sweep_count;        /* other media that the same photons answer for, at most 4096, not with max_order;
+                                  0 (default): none */
   const double *sweep_sigma_a; /* sweep_count x layer_count, 1/length; read during the call */
   const double
       *sweep_sigma_s;   /* the same. Each row needs, in every layer and channel, sigma_s at most the layer's own and
@@ -96,7 +97,8 @@ static inline TynSlabOptions tyn_slab_options(void) {
   return options;
 }
 
-/* A Monte Carlo estimate and its standard error, from the means of independent batches; NaN if there was but one photon. */
+/* A Monte Carlo estimate and its standard error, from the means of independent batches; NaN if there was but one batch (a
+ * single photon, or bins so many that one batch holds all photons). */
 typedef struct TynEstimate {
   double value;
   double standard_error;
@@ -116,7 +118,7 @@ typedef struct TynSlabTotals {
   TynEstimate cut;                   /* left in walks that max_order ended, or that are trapped between interfaces */
 } TynSlabTotals;
 
-/* What a run was. */
+/* What a run was. A NULL or wrong `size` in the calls below is INVALID_ARGUMENT; there is no message, as there is no context. */
 typedef struct TynSlabRun {
   size_t size;          /* set by the caller */
   uint64_t photons;     /* walked to their ends, a channel */
@@ -136,7 +138,9 @@ typedef struct TynSlabRun {
  *   DEPTH_ABSORBED   depth_bins: fraction absorbed per depth, 1/length, from the weights of all events, unscattered light's too.
  *                    Another estimate than LAYER_ABSORBED, which keeps the energy in balance: the sums agree within their errors
  *   DEPTH_FLUENCE    depth_bins: fluence integrated over the plane, which is the path length per depth; no unit. Where
- *                    sigma_t = 0 from the length of the flights, elsewhere from collisions
+ *                    sigma_t = 0 from the length of the flights (at angles up to 1e4 times the depth), elsewhere from
+ *                    collisions. With max_order both depth quantities are those of light of the orders allowed: the event
+ *                    at which a walk is cut counts in them
  *   ORDER            order_bins: fraction that leaves after 0, 1, ... scattering events
  *   PATH             path_bins: fraction per path length inside the slab, 1/length
  *   SWEEP            sweep_count: total (not only diffuse) reflectance, transmittance and absorption of each row */
@@ -170,9 +174,15 @@ typedef struct TynSlabResult TynSlabResult;
  * started is finished. The same slab, options and photon count on the same device give the same bits; a longer run begins with
  * the photons of a shorter one.
  * `result`: receives a new object; NULL on failure, except CANCELLED, where it holds what was done (at least one batch).
+ * Between launches of about 0.05 s (longer where batches of many channels or of very long walks take longer) progress is
+ * reported, the clock is looked at, and the caller may cancel: walks that are started are finished first, which takes long
+ * where they have millions of events (a thick white slab).
+ * Precision: single, on the device. 1 - albedo is resolved to 2^-32; depths in a layer to 2^-24 of their value;
+ * what interfaces reflect of light above 89.9 degrees to about 1 %.
  * Errors: INVALID_ARGUMENT (which field, its value, what is allowed; photons, seconds and target_error all 0; a half-space
- * with a last layer that does not absorb and no max_order, whose walks would never end), OUT_OF_MEMORY (too many bins),
- * DEVICE, KERNEL_BUILD, CANCELLED. */
+ * whose last layer has 1 - albedo below 1e-7 and no max_order, whose walks would go on for ever; more than 2^22 tallies a
+ * channel or 2^23 in all: the sum of bins, those of reflectance and transmittance each, those of depth in every layer),
+ * OUT_OF_MEMORY, DEVICE, KERNEL_BUILD, CANCELLED. */
 TYN_API TynStatus tyn_slab_simulate(TynContext *context, const TynSlab *slab, const TynSlabOptions *options,
                                     TynSlabResult **result);
 TYN_API void tyn_slab_result_retain(TynSlabResult *result);
