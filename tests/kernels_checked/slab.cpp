@@ -31,7 +31,6 @@ TEST_P(CheckedSlab, EverythingOfAStack) {
   options.incidence = TYN_INCIDENCE_DIFFUSE;
   options.beam = TYN_BEAM_DISC;
   options.beam_radius = 0.1;
-  options.max_order = 20;
   options.radial_max = options.depth_max = options.path_max = 0.5;
   options.radial_bins = options.depth_bins = options.path_bins = options.order_bins = 4;
   options.angular_bins = 3;
