@@ -119,7 +119,9 @@ void commit(TynScene &scene) {
   const Bvh bvh = build_bvh(scene.meshes);
   const Geometry geometry = concatenate(scene, default_index);
   std::vector<TynMeshRecord> meshes = mesh_records(scene, bvh.roots);
-  const std::vector<uint8_t> distances = build_distance_grids(scene.meshes, meshes);
+  // bounds only make walks faster: under a tight memory limit they give way to what is needed
+  const std::vector<uint8_t> distances =
+      build_distance_grids(scene.meshes, meshes, scene.context.memory_available() / 16);
   Media media;
   for (const Medium &medium : scene.media)
     append_medium(media, medium.value);

@@ -268,9 +268,11 @@ void append_codes(const std::vector<float> &squared, TynMeshRecord &record, std:
 
 } // namespace
 
-std::vector<uint8_t> build_distance_grids(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records) {
+std::vector<uint8_t> build_distance_grids(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records,
+                                          uint64_t most_bytes) {
+  const uint64_t most_cells = std::min(MOST_CELLS, most_bytes); // of a byte each
   uint32_t finest = FINEST;
-  while (choose_all(meshes, records, finest) > MOST_CELLS && finest > 2)
+  while (choose_all(meshes, records, finest) > most_cells && finest > 2)
     finest /= 2;
   std::vector<uint8_t> codes;
   for (size_t i = 0; i < meshes.size(); i++)

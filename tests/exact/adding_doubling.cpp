@@ -81,7 +81,7 @@ TEST(AddingDoubling, IsotropicHalfSpaceHasTheBrdfOfChandrasekhar) {
 TEST(AddingDoubling, NothingIsLostWithoutAbsorption) {
   for (double g : {-0.5, 0.0, 0.8, 0.95})
     for (double ior : {1.0, 1.5})
-      for (double thickness : {1e-6, 0.1, 10.0, 1e4, 1e9, 1e300}) {
+      for (double thickness : {1e-6, 0.1, 10.0, 1e4, 1e9, 1e20}) {
         const TynAddingDoublingResult result = ExactSlab({{0, 1, g, ior, thickness}}, 1, 1.2).angle(0.5).solve();
         EXPECT_NEAR(result.reflectance + result.transmittance, 1, 1e-9) << g << " " << ior << " " << thickness;
       }
