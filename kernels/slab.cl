@@ -18,8 +18,8 @@
 #include "slab_state.clh"
 #include "slab_tally.clh"
 
-#define SLAB_TRAPPED                                                                                                   \
-  65536u // reflections without an event, after which a walk is cut: rounding can make total ones of them
+// Reflections after which a walk is cut: rounding can make total ones of them.
+#define SLAB_TRAPPED 1048576u
 
 // Hands over what a lane has gathered in its layer for the sweep.
 static void slab_leave_layer(SlabWalks *walks, int lane) {
@@ -254,7 +254,6 @@ static LaneInt slab_fly(const SlabRun *run, SlabWalks *walks, LaneInt mask, Lane
 static LaneInt slab_scatter(const SlabRun *run, SlabWalks *walks, LaneInt mask, const LaneUint random[4]) {
   LaneFloat kept = walks->weight.all * walks->albedo.all;
   walks->order.all -= lane_as_uint(mask);
-  walks->reflections.all &= ~lane_as_uint(mask);
   slab_turn(run, walks, mask, random);
   LaneFloat threshold = (LaneFloat)(run->p.roulette_threshold);
   LaneInt plays = lane_lt(kept, threshold);
