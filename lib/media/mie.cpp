@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.hpp"
 #include "core/argument.hpp"
 
 namespace tyn {
@@ -15,7 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double small_sphere = 1e-2; // of x max(1, |m|); the series then are good to 1e-11
 
 // Wiscombe 1980, "Improved Mie scattering algorithms", eq. 22, stops where |a_n|^2 + |b_n|^2 < 5e-14, which leaves 1e-8 of the light

@@ -7,12 +7,11 @@
 #include "core/context.hpp"
 #include "core/input.hpp"
 #include "media/mie.hpp"
+#include "core/pi.hpp"
 #include "media/mie_lognormal.hpp"
 
 namespace tyn {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void require_size_parameter(double x) {
   if (!(x > 0 && x <= max_size_parameter))

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.hpp"
 #include "core/argument.hpp"
 
 namespace tyn {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double negligible = 22; // in logarithms: e^-22 = 3e-10 of the largest part
 // Relative changes from one step to its half below which that is good enough; the error left is smaller than they are.
 constexpr double cross_section_change = 1e-6, value_change = 1e-4;

@@ -4,6 +4,7 @@
 // kernels/ that draws from it.
 #pragma once
 
+#include "core/pi.hpp"
 #include "media/phase.hpp"
 
 namespace tyn {
@@ -21,8 +22,6 @@ struct PhaseKind {
 
 extern const PhaseKind isotropic_phase, rayleigh_phase, henyey_greenstein_phase, two_lobe_phase, draine_phase,
     tabulated_phase;
-
-constexpr double pi = 3.14159265358979323846;
 
 // Throws unless -1 < g < 1.
 void require_anisotropy(const char *field, double g);

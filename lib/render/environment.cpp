@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.hpp"
 #include "render/alias.hpp"
 
 namespace tyn {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double mean_of(const float *rgb, const float *factor) {
   return (double(rgb[0]) * double(factor[0]) + double(rgb[1]) * double(factor[1]) +

@@ -2,21 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/fresnel.hpp"
 
-#include <cmath>
+#include "media/fresnel.hpp"
 
 namespace tyn {
-namespace {
-
-// Fresnel's reflectance for unpolarized light from outside; as tyn_fresnel of kernels/interface.clh.
-double fresnel(double cosine, double ior) {
-  const double inside = std::sqrt(1 - (1 - cosine * cosine) / (ior * ior));
-  const double parallel = (ior * cosine - inside) / (ior * cosine + inside);
-  const double perpendicular = (cosine - ior * inside) / (cosine + ior * inside);
-  return 0.5 * (parallel * parallel + perpendicular * perpendicular);
-}
-
-} // namespace
-
 double mean_transmittance(double ior) {
   if (ior == 1)
     return 1;
@@ -26,7 +14,7 @@ double mean_transmittance(double ior) {
   for (int i = 0; i <= intervals; i++) {
     const double x = double(i) / intervals;
     const double weight = i == 0 || i == intervals ? 1 : i % 2 ? 4 : 2;
-    sum += weight * 4 * x * x * x * (1 - fresnel(x * x, ior));
+    sum += weight * 4 * x * x * x * (1 - fresnel_reflectance(x * x, ior));
   }
   return sum / (3 * intervals);
 }

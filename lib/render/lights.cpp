@@ -6,12 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/pi.hpp"
 #include "render/alias.hpp"
 
 namespace tyn {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double mean_of(const float (&rgb)[3]) { return (double(rgb[0]) + double(rgb[1]) + double(rgb[2])) / 3; }
 

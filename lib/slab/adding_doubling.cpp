@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "slab/interface.hpp"
+#include "core/pi.hpp"
 #include "slab/layer.hpp"
 
 namespace tyn {
@@ -103,7 +104,7 @@ std::vector<double> per_solid_angle(const VectorXd &scattered, size_t first, con
                                     double n) {
   std::vector<double> values;
   for (size_t i = 0; i < cosines.size(); i++)
-    values.push_back(scattered[static_cast<Index>(first + i)] * n * n * cosines[i] / M_PI);
+    values.push_back(scattered[static_cast<Index>(first + i)] * n * n * cosines[i] / pi);
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include "core/input.hpp"
 #include "slab/adding_doubling.hpp"
 #include "slab/nodes.hpp"
+#include "core/pi.hpp"
 #include "tyndall/tyndall_exact.h"
 
 namespace tyn {
@@ -20,7 +21,7 @@ TynAddingDoublingOptions read_options(const TynAddingDoublingOptions *given, uin
   if (options.channel >= channels)
     fail(TYN_ERROR_INVALID_ARGUMENT, "channel is %u, but the slab has %u", options.channel, channels);
   require_choice("incidence", options.incidence, 2);
-  if (!(options.angle >= 0 && options.angle < M_PI / 2))
+  if (!(options.angle >= 0 && options.angle < pi / 2))
     fail(TYN_ERROR_INVALID_ARGUMENT, "angle is %g; it must be in [0, pi/2)", options.angle);
   require_between("tolerance", options.tolerance, 1e-10, 0.1);
   if (options.max_nodes < 8 || options.max_nodes > 512)

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "media/phase.hpp"
-#include "slab/fresnel.hpp"
+#include "media/fresnel.hpp"
 #include "slab/batches.hpp"
 #include "slab/tallies.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "core/argument.hpp"
 #include "core/context.hpp"
+#include "core/pi.hpp"
 #include "tyndall/tyndall_exact.h"
 
 namespace tyn {
@@ -40,7 +41,7 @@ double h_function(double albedo, double mu) {
     const double loss = (1 - albedo) + albedo * arc_defect(t);
     sum += std::log(loss) * v / (1 + v * v);
   }
-  return std::exp(-sum * step / M_PI);
+  return std::exp(-sum * step / pi);
 }
 
 void require_cosine(const char *name, double mu) {
@@ -78,7 +79,7 @@ TynStatus tyn_half_space_brdf(double albedo, double mu_i, const double *mu_o, si
       tyn::require_cosine("mu_o", mu_o[i]);
     const double h_i = tyn::h_function(albedo, mu_i);
     for (size_t i = 0; i < count; i++)
-      brdf[i] = albedo / (4 * M_PI) * h_i * tyn::h_function(albedo, mu_o[i]) / (mu_i + mu_o[i]);
+      brdf[i] = albedo / (4 * tyn::pi) * h_i * tyn::h_function(albedo, mu_o[i]) / (mu_i + mu_o[i]);
   });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/pi.hpp"
 #include "slab/gauss.hpp"
 
 #include <cmath>
@@ -27,7 +28,7 @@ Legendre legendre(unsigned degree, double x) {
 Quadrature gauss_legendre(unsigned count) {
   Quadrature rule{std::vector<double>(count), std::vector<double>(count)};
   for (unsigned i = 0; i < count; i++) {
-    double x = std::cos(M_PI * (i + 0.75) / (count + 0.5));
+    double x = std::cos(pi * (i + 0.75) / (count + 0.5));
     if (count == 1)
       x = 0;
     Legendre p = legendre(count, x);

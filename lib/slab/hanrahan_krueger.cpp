@@ -5,8 +5,9 @@
 
 #include "core/context.hpp"
 #include "core/input.hpp"
-#include "slab/fresnel.hpp"
+#include "media/fresnel.hpp"
 #include "slab/nodes.hpp"
+#include "core/pi.hpp"
 #include "tyndall/tyndall_exact.h"
 
 namespace tyn {
@@ -33,7 +34,7 @@ TynSingleScattering read(const TynSingleScattering *given) {
 
 double phase_value(const TynPhase *phase, double cosine) {
   if (!phase)
-    return 1 / (4 * M_PI);
+    return 1 / (4 * pi);
   double value = 0;
   const TynStatus status = tyn_phase_value(phase, &cosine, 1, &value);
   if (status != TYN_OK)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "slab/interface.hpp"
 
-#include "slab/fresnel.hpp"
+#include "media/fresnel.hpp"
 
 namespace tyn {
 

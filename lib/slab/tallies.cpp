@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/argument.hpp"
+#include "core/pi.hpp"
 #include "slab/tallies.hpp"
 
 namespace tyn {
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 constexpr uint64_t most_tallies = uint64_t(1) << 22;     // 32 MiB a batch
 constexpr uint64_t most_in_channels = uint64_t(1) << 23; // of all channels: each keeps its estimates
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "kernels/shared_slab.h"
 #include "core/input.hpp"
 #include "media/phase.hpp"
 
@@ -78,7 +79,7 @@ void require_count(const char *name, uint32_t value, uint32_t highest) {
 Slab read_slab(const TynSlab *given) {
   const TynSlab slab = read_struct("TynSlab", given, tyn_slab());
   require_count("channel_count", slab.channel_count, 1024);
-  require_count("layer_count", slab.layer_count, 64);
+  require_count("layer_count", slab.layer_count, TYN_SLAB_MAX_LAYERS);
   require_pointer("layers", slab.layers);
   require_between("ior_above", slab.ior_above, 1, 4);
   require_between("ior_below", slab.ior_below, 1, 4);

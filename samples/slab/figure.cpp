@@ -25,6 +25,9 @@ constexpr size_t kMostListed = 3; // channels whose totals are written out
 const Color kGray = {0.35, 0.35, 0.35};
 const Color kRed = {0.84, 0.15, 0.16}, kGreen = {0.17, 0.60, 0.17}, kBlue = {0.12, 0.40, 0.75};
 
+// A unit with a negative power.
+std::string per(const std::string &unit, int power) { return unit + "^{\xe2\x88\x92" + std::to_string(power) + "}"; }
+
 std::vector<double> centres(const std::vector<double> &edges) {
   std::vector<double> result;
   for (size_t i = 0; i + 1 < edges.size(); ++i)
@@ -179,9 +182,7 @@ private:
     panel.title = "Over the radius";
     panel.x.label = "radius r, " + unit();
     panel.x.range = {0.0, arguments_.options.radial_max};
-    panel.y.label = symbols(panel, "(r), ") + unit() +
-                    "^{\xe2\x88\x92"
-                    "2}";
+    panel.y.label = symbols(panel, "(r), ") + per(unit(), 2);
     panel.y.log = contrast(panel.series) > kLogFrom;
     return panel;
   }
@@ -193,8 +194,7 @@ private:
     panel.x.label = "angle from the normal, degrees";
     panel.x.range = {0.0, 90.0};
     panel.x.step = 15.0;
-    panel.y.label = symbols(panel, "(\xce\xb8), ") + "sr^{\xe2\x88\x92"
-                                                     "1}";
+    panel.y.label = symbols(panel, "(\xce\xb8), ") + per("sr", 1);
     return panel;
   }
 
@@ -232,9 +232,7 @@ private:
     panel.title = "Over the path length inside";
     panel.x.label = "path length l, " + unit();
     panel.x.range = {0.0, arguments_.options.path_max};
-    panel.y.label = symbols(panel, "(l), ") + unit() +
-                    "^{\xe2\x88\x92"
-                    "1}";
+    panel.y.label = symbols(panel, "(l), ") + per(unit(), 1);
     panel.y.log = contrast(panel.series) > kLogFrom;
     return panel;
   }

@@ -52,13 +52,6 @@ double number_between(const std::string &option, const std::string &text, double
   return value;
 }
 
-double positive(const std::string &option, const std::string &text, const std::string &expected) {
-  double value = 0.0;
-  if (!parse_number(text, value) || !(value > 0.0) || std::isinf(value))
-    wrong(option, text, expected);
-  return value;
-}
-
 uint64_t whole_number(const std::string &option, const std::string &text, uint64_t lowest, uint64_t highest,
                       const std::string &expected) {
   double value = 0.0;

@@ -24,9 +24,6 @@ bool parse_number(const std::string &text, double &value);
 double number_between(const std::string &option, const std::string &text, double lowest, double highest,
                       const std::string &expected);
 
-// A finite number above 0.
-double positive(const std::string &option, const std::string &text, const std::string &expected);
-
 // A whole number in [lowest, highest], which may be written as 1e7.
 uint64_t whole_number(const std::string &option, const std::string &text, uint64_t lowest, uint64_t highest,
                       const std::string &expected);
