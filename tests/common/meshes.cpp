@@ -82,21 +82,6 @@ uint32_t midpoint(MeshData &mesh, std::map<std::pair<uint32_t, uint32_t>, uint32
   return known[key] = mesh.add_vertex((p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2);
 }
 
-MeshData subdivided(MeshData mesh) {
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> known;
-  std::vector<uint32_t> old;
-  old.swap(mesh.indices);
-  for (size_t i = 0; i < old.size(); i += 3) {
-    uint32_t a = old[i], b = old[i + 1], c = old[i + 2];
-    uint32_t ab = midpoint(mesh, known, a, b), bc = midpoint(mesh, known, b, c), ca = midpoint(mesh, known, c, a);
-    mesh.add_triangle(a, ab, ca);
-    mesh.add_triangle(ab, b, bc);
-    mesh.add_triangle(ca, bc, c);
-    mesh.add_triangle(ab, bc, ca);
-  }
-  return mesh;
-}
-
 // A grid of (columns + 1) x (rows + 1) points, function(u, v) with u, v in [0, 1]; wound so that du x dv is the normal.
 template <class Function>
 MeshData grid(uint32_t columns, uint32_t rows, Function function) {
@@ -197,6 +182,21 @@ MeshData thin_slab(float width, float thickness, uint32_t cells) {
     mesh.append(grid(cells, 1, [=](double u, double v) {
       return Point{(a[0] + u * (b[0] - a[0])) * w, (v - 0.5) * t, (a[1] + u * (b[1] - a[1])) * w};
     }));
+  }
+  return mesh;
+}
+
+MeshData subdivided(MeshData mesh) {
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> known;
+  std::vector<uint32_t> old;
+  old.swap(mesh.indices);
+  for (size_t i = 0; i < old.size(); i += 3) {
+    uint32_t a = old[i], b = old[i + 1], c = old[i + 2];
+    uint32_t ab = midpoint(mesh, known, a, b), bc = midpoint(mesh, known, b, c), ca = midpoint(mesh, known, c, a);
+    mesh.add_triangle(a, ab, ca);
+    mesh.add_triangle(ab, b, bc);
+    mesh.add_triangle(ca, bc, c);
+    mesh.add_triangle(ab, bc, ca);
   }
   return mesh;
 }
