@@ -398,4 +398,25 @@ std::vector<NamedMesh> closed_meshes() {
           {"far away sphere", translated(icosphere(3), 1000, -2000, 500)}};
 }
 
+std::vector<NamedMesh> hostile_meshes() {
+  auto both = [](MeshData mesh, const MeshData &other) {
+    mesh.append(other);
+    return mesh;
+  };
+  MeshData repeated = cube();
+  repeated.add_triangle(repeated.indices[1], repeated.indices[2], repeated.indices[0]);
+  return {{"sliver", cube_with_sliver()},
+          {"zero areas", with_zero_area_triangles(icosphere(2))},
+          {"one triangle twice", repeated},
+          {"every triangle twice", both(cube(), cube())},
+          {"cubes that share an edge", both(cube(), translated(cube(), 2, 2, 0))},
+          {"cubes that share a face", both(cube(), translated(cube(), 2, 0, 0))},
+          {"cubes that share a vertex", both(cube(), translated(cube(), 2, 2, 2))},
+          {"cubes side by side", both(cube(), translated(cube(), 2, 0.5f, 0.3f))},
+          {"overlapping cubes", both(cube(), translated(cube(), 1.1f, 0.9f, 0.7f))},
+          {"a cross", both(box(4, 1, 1), box(1, 4, 0.9f))},
+          {"a sphere in a sphere", both(icosphere(3), icosphere(3, 0.5f))},
+          {"a needle", needles(4, 1e6f)}};
+}
+
 } // namespace tyn_test

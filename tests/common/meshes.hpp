@@ -75,5 +75,7 @@ struct NamedMesh {
 };
 inline void PrintTo(const NamedMesh &named, std::ostream *out) { *out << named.name; }
 std::vector<NamedMesh> closed_meshes();
+// What files do hold: slivers, triangles given twice, shells that touch or overlap, a needle.
+std::vector<NamedMesh> hostile_meshes();
 
 } // namespace tyn_test
