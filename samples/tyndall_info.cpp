@@ -159,6 +159,8 @@ std::string shape(const TynMeshInfo &mesh) {
     text += ", " + count(mesh.turned_triangles, "triangle") + " turned";
   if (mesh.inverted_components)
     text += ", " + count(mesh.inverted_components, "component") + " turned inside out";
+  if (mesh.overlapping_components)
+    text += ", " + count(mesh.overlapping_components, "component") + " overlapping others";
   if (mesh.degenerate_triangles)
     text += ", " + count(mesh.degenerate_triangles, "degenerate triangle");
   if (mesh.duplicate_triangles)
@@ -294,6 +296,7 @@ private:
                       {"duplicate_triangles", mesh.duplicate_triangles},
                       {"components", mesh.components},
                       {"inverted_components", mesh.inverted_components},
+                      {"overlapping_components", mesh.overlapping_components},
                       {"turned_triangles", mesh.turned_triangles},
                       {"medium", index_or_null(mesh.medium)},
                       {"material", index_or_null(mesh.material)},

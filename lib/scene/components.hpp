@@ -32,4 +32,9 @@ struct Nesting {
 
 std::vector<Nesting> find_nesting(const Mesh &mesh, const std::vector<Component> &components);
 
+// How many components of a closed mesh, wound outwards and cavities inwards, reach into others or touch them: what is around a
+// place on an outward one is nothing, and around a cavity one solid. A few places of each are looked at, and fewer in meshes
+// of many components and triangles: what overlaps little may be missed.
+uint32_t count_overlapping(const Mesh &mesh, const std::vector<Component> &components);
+
 } // namespace tyn

@@ -122,19 +122,23 @@ void turn_inward_normals(Mesh &mesh, const std::vector<uint32_t> &triangles) {
 
 // A closed component is inside out if its volume is negative and nothing is around it: inside another, it is a cavity.
 // What lies inside one that is turned then alternates: a cavity faces inwards, an island in it outwards.
-void make_outward(Mesh &mesh, const std::vector<Component> &components) {
+void make_outward(Mesh &mesh, std::vector<Component> &components) {
   auto inverted = [](const Component &component) { return component.closed && component.volume < 0; };
   if (std::none_of(components.begin(), components.end(), inverted))
     return;
   const std::vector<Nesting> nesting = find_nesting(mesh, components);
   std::vector<uint32_t> triangles;
+  std::vector<Component *> turned;
   for (size_t i = 0; i < components.size(); i++) {
     const bool outwards = nesting[i].depth % 2 == 0;
     if (!inverted(components[nesting[i].outermost]) || inverted(components[i]) != outwards)
       continue;
     triangles.insert(triangles.end(), components[i].triangles.begin(), components[i].triangles.end());
+    turned.push_back(&components[i]);
     mesh.info.inverted_components++;
   }
+  for (Component *component : turned)
+    component->volume = -component->volume;
   for (uint32_t triangle : triangles)
     turn(mesh, triangle);
   turn_inward_normals(mesh, triangles);
@@ -162,10 +166,13 @@ void check_mesh(Mesh &mesh) {
   const bool filled = mesh.medium != TYN_NONE;
   if (filled)
     make_consistent(mesh, sides);
-  const std::vector<Component> components = find_components(mesh, corners, sides);
+  std::vector<Component> components = find_components(mesh, corners, sides);
   mesh.info.components = uint32_t(components.size());
-  if (filled)
+  if (filled) {
     make_outward(mesh, components);
+    if (mesh.info.closed)
+      mesh.info.overlapping_components = count_overlapping(mesh, components);
+  }
   measure_bounds(mesh);
   measure_size(mesh);
   if (!filled)

@@ -244,6 +244,7 @@ TEST(MeshCheck, LooksThroughThousandsOfComponents) {
   const TynMeshInfo info = checked(many).info;
   EXPECT_EQ(info.components, 8000u);
   EXPECT_EQ(info.inverted_components, 8000u);
+  EXPECT_EQ(info.overlapping_components, 0u);
   EXPECT_NEAR(info.volume, 8000.0 / 6, 1e-3);
 }
 
@@ -285,6 +286,30 @@ TEST(MeshCheck, AMeshOfDegenerateTrianglesOnlyIsNotClosed) {
   EXPECT_EQ(info.components, 0u);
   EXPECT_EQ(info.degenerate_triangles, 2u);
   EXPECT_EQ(info.area, 0.0);
+}
+
+// What reaches into another, or lies on it, is seen. Cavities, islands in them, and parts that are apart are as they should be.
+TEST(MeshCheck, CountsComponentsThatOverlap) {
+  for (const NamedMesh &named : hostile_meshes()) {
+    SCOPED_TRACE(named.name);
+    const TynMeshInfo info = checked(named.mesh).info;
+    const bool overlap =
+        named.name == "overlapping cubes" || named.name == "a cross" || named.name == "a sphere in a sphere";
+    if (overlap) {
+      EXPECT_GE(info.overlapping_components, 1u);
+      EXPECT_LE(info.overlapping_components, 2u);
+    } else if (named.name != "cubes side by side") {
+      EXPECT_EQ(info.overlapping_components, 0u);
+    }
+  }
+  for (const NamedMesh &named : closed_meshes())
+    EXPECT_EQ(checked(named.mesh).info.overlapping_components, 0u) << named.name;
+  const MeshData hollow = without_normals(hollow_sphere(2, 1, 0.5f)), island = scaled(cube(), 0.125f);
+  EXPECT_EQ(checked(with(hollow, island)).info.overlapping_components, 0u);
+  EXPECT_EQ(checked(with(inverted(hollow), inverted(island))).info.overlapping_components, 0u);
+  EXPECT_EQ(checked(with(hollow, translated(island, 0.75f, 0, 0))).info.overlapping_components, 1u); // in the solid
+  EXPECT_EQ(checked(with(cube(), translated(cube(), 1.1f, 0.9f, 0.7f)), TYN_NONE).info.overlapping_components, 0u);
+  EXPECT_EQ(checked(with(torus(1, 0.3f, 48, 24), without_normals(torus(1, 0.3f, 48, 24)))).info.closed, 0u);
 }
 
 } // namespace

@@ -225,8 +225,8 @@ static inline TynMaterial tyn_material(void) {
 }
 
 /* A triangle mesh: one object, whose inside holds one medium. Positions may repeat (seams of normals and uv); vertices with
- * the same position are welded for the checks. An open, inconsistently oriented or self-intersecting mesh is reported by
- * tyn_scene_mesh_info and still renders. */
+ * the same position are welded for the checks. An open or inconsistently oriented mesh, and closed parts that reach into one
+ * another, are reported by tyn_scene_mesh_info and still render. */
 typedef struct TynMesh {
   size_t size;
   const char *name;                   /* copied; may be NULL */
@@ -375,6 +375,9 @@ typedef struct TynMeshInfo {
   double area;   /* scene units squared */
   double volume; /* scene units cubed; meaningful if closed and, without a medium, wound consistently */
   float lower[3], upper[3];
+  uint32_t
+      overlapping_components; /* closed components that were seen to reach into others or to touch them, in a few places
+                                      of each, so 0 is no proof; 0 if the mesh is not closed or has no medium */
 } TynMeshInfo;
 
 TYN_API TynStatus tyn_scene_info(const TynScene *scene, TynSceneInfo *info);
