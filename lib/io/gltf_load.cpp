@@ -54,14 +54,46 @@ Indices add_materials(TynScene *scene, const std::vector<Named<TynMaterial>> &ma
   return indices;
 }
 
-void warn_if_open(TynScene *scene, uint32_t index, const LoadedMesh &loaded, Warnings &warnings) {
+// Below this fraction of a mesh's size, flights come near to what single precision resolves in it.
+constexpr double SHORT_FLIGHTS = 1e-5;
+
+// Of the channel that goes least far, as a fraction of the mesh's diagonal.
+double shortest_mean_free_path(TynScene *scene, const TynMeshInfo &info) {
+  TynMedium medium = tyn_medium();
+  require_ok(tyn_scene_context(scene), tyn_scene_medium(scene, info.medium, &medium));
+  double densest = 0, squared = 0;
+  for (int i = 0; i < 3; i++) {
+    const double side = double(info.upper[i]) - double(info.lower[i]);
+    densest = std::max(densest, double(medium.sigma_a[i]) + double(medium.sigma_s[i]));
+    squared += side * side;
+  }
+  return 1 / (densest * std::sqrt(squared));
+}
+
+void warn_if_unsound(TynScene *scene, uint32_t index, const LoadedMesh &loaded, Warnings &warnings) {
   TynMeshInfo info;
   info.size = sizeof info;
-  if (loaded.medium == TYN_NONE || tyn_scene_mesh_info(scene, index, &info) != TYN_OK || info.closed)
+  if (loaded.medium == TYN_NONE || tyn_scene_mesh_info(scene, index, &info) != TYN_OK)
     return;
-  warnings.add("mesh \"%s\" holds a medium, but is not closed: it has %u boundary edges and %u edges of more than two "
-               "triangles; what leaks out is in the ledger",
-               printable(loaded.name).c_str(), info.boundary_edges, info.nonmanifold_edges);
+  const std::string name = printable(loaded.name);
+  if (!info.closed)
+    warnings.add(
+        "mesh \"%s\" holds a medium, but is not closed: it has %u boundary edges and %u edges of more than two "
+        "triangles; what leaks out is in the ledger",
+        name.c_str(), info.boundary_edges, info.nonmanifold_edges);
+  if (info.duplicate_triangles)
+    warnings.add("mesh \"%s\" holds a medium, but has %u triangles more than once", name.c_str(),
+                 info.duplicate_triangles);
+  if (info.overlapping_components)
+    warnings.add("mesh \"%s\" holds a medium, but of its %u parts at least %u reach into others or touch them; light "
+                 "leaves at each surface",
+                 name.c_str(), info.components, info.overlapping_components);
+  const double fraction = shortest_mean_free_path(scene, info);
+  if (fraction < SHORT_FLIGHTS)
+    warnings.add(
+        "mesh \"%s\": the mean free path of its medium is %.2g of its diagonal, too short for single precision "
+        "(%g) and slow",
+        name.c_str(), fraction, SHORT_FLIGHTS);
 }
 
 void add_mesh(TynScene *scene, LoadedMesh &loaded, const Indices &media, const Indices &materials, Warnings &warnings) {
@@ -80,7 +112,7 @@ void add_mesh(TynScene *scene, LoadedMesh &loaded, const Indices &media, const I
   mesh.triangle_materials = loaded.triangle_materials.data();
   uint32_t index = 0;
   require_ok(tyn_scene_context(scene), tyn_scene_add_mesh(scene, &mesh, &index));
-  warn_if_open(scene, index, loaded, warnings);
+  warn_if_unsound(scene, index, loaded, warnings);
   loaded = LoadedMesh(); // the scene has its copy
 }
 

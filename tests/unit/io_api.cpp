@@ -9,6 +9,7 @@
 
 #include "common/gltf_builder.hpp"
 #include "common/handles.hpp"
+#include "common/meshes.hpp"
 #include "io/exr_load.hpp"
 #include "tyndall/tyndall_io.h"
 
@@ -97,6 +98,59 @@ TEST(IoApi, OpenMeshWithAMediumIsAWarning) {
   ASSERT_EQ(load_into(scene, model, &options), TYN_OK) << scene.message();
   EXPECT_NE(warned.find("mesh \"node\" holds a medium, but is not closed: it has 3 boundary edges"), std::string::npos)
       << warned;
+}
+
+// What is warned of when full_model() has this shape.
+std::string warnings_about(const tyn_test::MeshData &mesh, double attenuation_distance = 1) {
+  const Context context;
+  Scene scene(context);
+  Gltf model = full_model();
+  model.material_extension("KHR_materials_volume")["attenuationDistance"] = attenuation_distance;
+  model.primitive()["attributes"]["POSITION"] = model.floats(mesh.positions, "VEC3");
+  model.primitive()["indices"] = model.indices(mesh.indices);
+  std::string warned;
+  TynGltfOptions options = tyn_gltf_options();
+  options.warning = [](void *user, const char *message) { *static_cast<std::string *>(user) += message; };
+  options.user = &warned;
+  EXPECT_EQ(load_into(scene, model, &options), TYN_OK) << scene.message();
+  return warned;
+}
+
+// Touching in a point, slivers and thin shapes are nothing to warn of.
+TEST(IoApi, UnsoundMeshesWithAMediumAreNamed) {
+  const std::string names[4] = {
+      "mesh \"node\" holds a medium, but is not closed", "mesh \"node\" holds a medium, but has",
+      "mesh \"node\" holds a medium, but of its 2 parts", "mesh \"node\": the mean free path"};
+  struct Case {
+    const char *mesh;
+    bool expected[3];
+  };
+  const Case cases[] = {{"sliver", {false, false, false}},
+                        {"zero areas", {false, false, false}},
+                        {"one triangle twice", {true, true, false}},
+                        {"every triangle twice", {true, true, false}},
+                        {"cubes that share an edge", {true, false, false}},
+                        {"cubes that share a face", {true, true, false}},
+                        {"cubes that share a vertex", {false, false, false}},
+                        {"cubes side by side", {false, false, true}},
+                        {"overlapping cubes", {false, false, true}},
+                        {"a cross", {false, false, true}},
+                        {"a sphere in a sphere", {false, false, true}},
+                        {"a needle", {false, false, false}}};
+  size_t found = 0;
+  for (const tyn_test::NamedMesh &named : tyn_test::hostile_meshes())
+    for (const Case &one : cases) {
+      if (named.name != one.mesh)
+        continue;
+      ++found;
+      const std::string warned = warnings_about(named.mesh, 1e4);
+      for (size_t i = 0; i < 3; i++)
+        EXPECT_EQ(warned.find(names[i]) != std::string::npos, one.expected[i]) << named.name << ": " << warned;
+      EXPECT_EQ(warned.find(names[3]), std::string::npos) << warned;
+    }
+  EXPECT_EQ(found, std::size(cases));
+  EXPECT_NE(warnings_about(tyn_test::cube(), 1e-6).find(names[3]), std::string::npos);
+  EXPECT_EQ(warnings_about(tyn_test::cube(), 1e-3), "");
 }
 
 TEST(IoApi, FailedLoadAddsNothingAndNamesTheFile) {
