@@ -3,6 +3,7 @@
 #include "common/meshes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -80,6 +81,26 @@ uint32_t midpoint(MeshData &mesh, std::map<std::pair<uint32_t, uint32_t>, uint32
     return found->second;
   Point p = point(mesh, a), q = point(mesh, b);
   return known[key] = mesh.add_vertex((p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2);
+}
+
+// A point of a subdivided face: up to three corners, in order, and how many steps it is from the other sides. Faces that meet
+// on an edge say the same about the points on it.
+using Steps = std::array<std::pair<uint32_t, uint32_t>, 3>;
+
+uint32_t geodesic_vertex(MeshData &mesh, std::map<Steps, uint32_t> &known, const MeshData &corners, Steps steps) {
+  for (auto &[corner, count] : steps)
+    corner = count ? corner : 0;
+  std::sort(steps.begin(), steps.end());
+  auto found = known.find(steps);
+  if (found != known.end())
+    return found->second;
+  Point sum{};
+  for (auto [corner, count] : steps) {
+    Point p = point(corners, corner);
+    sum.x += count * p.x, sum.y += count * p.y, sum.z += count * p.z;
+  }
+  double length = std::hypot(sum.x, sum.y, sum.z);
+  return known[steps] = mesh.add_vertex(sum.x / length, sum.y / length, sum.z / length);
 }
 
 // A grid of (columns + 1) x (rows + 1) points, function(u, v) with u, v in [0, 1]; wound so that du x dv is the normal.
@@ -212,6 +233,25 @@ MeshData icosphere(uint32_t level, float radius) {
   return scaled(mesh, radius);
 }
 
+MeshData geodesic_sphere(uint32_t frequency) {
+  const MeshData corners = icosahedron();
+  MeshData mesh;
+  std::map<Steps, uint32_t> known;
+  for (size_t face = 0; face < corners.triangle_count(); face++) {
+    const uint32_t *c = &corners.indices[3 * face];
+    auto vertex = [&](uint32_t i, uint32_t j) {
+      return geodesic_vertex(mesh, known, corners, {{{c[0], frequency - i - j}, {c[1], i}, {c[2], j}}});
+    };
+    for (uint32_t i = 0; i < frequency; i++)
+      for (uint32_t j = 0; i + j < frequency; j++) {
+        mesh.add_triangle(vertex(i, j), vertex(i + 1, j), vertex(i, j + 1));
+        if (i + j + 1 < frequency)
+          mesh.add_triangle(vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+      }
+  }
+  return mesh;
+}
+
 MeshData torus(float major, float minor, uint32_t around, uint32_t across) {
   MeshData mesh;
   for (uint32_t i = 0; i < around; i++)
@@ -231,16 +271,7 @@ MeshData torus(float major, float minor, uint32_t around, uint32_t across) {
   return mesh;
 }
 
-MeshData bumpy_sphere(uint32_t level, float amplitude) {
-  MeshData mesh = without_normals(icosphere(level));
-  for (size_t i = 0; i < mesh.positions.size(); i += 3) {
-    float *p = &mesh.positions[i];
-    double radius = 1 + amplitude * std::sin(7.0 * p[0] + 1) * std::sin(5.0 * p[1]) * std::cos(6.0 * p[2]);
-    for (int k = 0; k < 3; k++)
-      p[k] = float(p[k] * radius);
-  }
-  return mesh;
-}
+MeshData bumpy_sphere(uint32_t level, float amplitude) { return bumpy(without_normals(icosphere(level)), amplitude); }
 
 MeshData hollow_sphere(uint32_t level, float outer, float inner) {
   MeshData mesh = icosphere(level, outer);
@@ -383,6 +414,16 @@ MeshData unwelded(const MeshData &mesh) {
 MeshData without_normals(MeshData mesh) {
   mesh.normals.clear();
   return mesh;
+}
+
+MeshData bumpy(MeshData sphere, float amplitude) {
+  for (size_t i = 0; i < sphere.positions.size(); i += 3) {
+    float *p = &sphere.positions[i];
+    double radius = 1 + amplitude * std::sin(7.0 * p[0] + 1) * std::sin(5.0 * p[1]) * std::cos(6.0 * p[2]);
+    for (int k = 0; k < 3; k++)
+      p[k] = float(p[k] * radius);
+  }
+  return sphere;
 }
 
 std::vector<NamedMesh> closed_meshes() {

@@ -39,7 +39,8 @@ MeshData box(float width, float height, float depth); // centred on the origin
 MeshData thin_slab(float width, float thickness,
                    uint32_t cells); // y is the thin axis; cells x cells on both faces
 MeshData icosphere(uint32_t level,
-                   float radius = 1.0f); // 20 x 4^level triangles, with unit normals
+                   float radius = 1.0f);      // 20 x 4^level triangles, with unit normals
+MeshData geodesic_sphere(uint32_t frequency); // 20 x frequency^2 triangles, radius 1, without normals
 MeshData torus(float major, float minor, uint32_t around,
                uint32_t across);                        // about the y axis, with normals
 MeshData bumpy_sphere(uint32_t level, float amplitude); // star-shaped, not convex
@@ -67,6 +68,7 @@ MeshData with_flipped(MeshData mesh, uint32_t period); // triangles 0, period, 2
 MeshData unwelded(const MeshData &mesh);               // three vertices of its own for every triangle
 MeshData without_normals(MeshData mesh);
 MeshData subdivided(MeshData mesh); // 4 triangles for each: 4 i .. 4 i + 3 for triangle i; positions only
+MeshData bumpy(MeshData sphere, float amplitude); // bumps on a sphere of radius 1 about the origin
 
 // Meshes that are closed, by name, for tests over all of them.
 struct NamedMesh {
