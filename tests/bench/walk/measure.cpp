@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/walk/measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "common/walk_scene.hpp"
+#include "scene/bvh.hpp"
+#include "scene/distance_grid.hpp"
+#include "walk/walk.hpp"
+
+namespace bench {
+
+namespace {
+
+using namespace tyn_test;
+
+constexpr size_t MOST_WALKS = 1 << 17, PILOT_WALKS = 1 << 12, PLAIN_PILOT_WALKS = 1 << 10;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+template <class T>
+size_t bytes(const std::vector<T> &values) {
+  return values.size() * sizeof(T);
+}
+
+// Threads for the plain walk: as many as the device has, if it is the processor.
+unsigned threads(const TynContext &context) {
+  return std::max(1u, context.is_gpu() ? std::thread::hardware_concurrency() : context.device_info.compute_units);
+}
+
+// How many walks take about that long, by a run of fewer.
+size_t walks_for(const Rate &pilot, double seconds) {
+  double walks = pilot.walks_per_second() * seconds;
+  return size_t(std::clamp(walks, double(PLAIN_PILOT_WALKS), double(MOST_WALKS)));
+}
+
+} // namespace
+
+void Rate::add(const WalkSums &run, double run_seconds) {
+  sums += run;
+  if (seconds > 0 && run.scatterings / run_seconds <= scatterings_per_second())
+    return;
+  fastest = run;
+  seconds = run_seconds;
+}
+
+double Result::disagreement() const {
+  return std::fabs(ours.sums.mean() - plain.sums.mean()) /
+         std::hypot(ours.sums.standard_error(), plain.sums.standard_error());
+}
+
+MeshBench::MeshBench(const tyndall::Context &context_, const std::vector<Case> &cases_)
+    : cases(cases_), mesh(make_mesh(cases[0].mesh)), context(context_), scene(context),
+      entries(surface_entries(mesh, MOST_WALKS, 1)), entry_buffer(*context.get(), bytes(entries)),
+      exits(*context.get(), MOST_WALKS * sizeof(TynWalkExit)),
+      tallies(*context.get(), MOST_WALKS * sizeof(TynWalkTally)) {
+  TynMesh view = mesh.view();
+  for (const Case &c : cases) {
+    TynMedium medium = grey_medium((1 - c.albedo) * c.sigma_t(), c.albedo * c.sigma_t(), c.g, c.ior);
+    scene.check(tyn_scene_add_medium(scene.get(), &medium, &view.medium));
+  }
+  scene.check(tyn_scene_add_mesh(scene.get(), &view, nullptr));
+  scene.check(tyn_scene_commit(scene.get()));
+  TynMeshInfo info{};
+  info.size = sizeof info;
+  scene.check(tyn_scene_mesh_info(scene.get(), 0, &info));
+  if (!info.closed || info.inverted_components || info.turned_triangles)
+    throw std::runtime_error(cases[0].mesh + " is not closed, or not wound outwards");
+  oracle = std::make_unique<EmbreeOracle>(scene.get()->meshes);
+  plain = std::make_unique<PlainWalk>(mesh, *oracle);
+}
+
+Build MeshBench::build(int repetitions) const {
+  Build result;
+  result.mesh = cases[0].mesh;
+  result.triangles = mesh.triangle_count();
+  for (int i = 0; i < repetitions; ++i) {
+    const double start = now();
+    tyn::Bvh bvh = tyn::build_bvh(scene.get()->meshes);
+    std::vector<TynMeshRecord> records = scene.get()->mesh_records;
+    std::vector<uint8_t> codes = tyn::build_distance_grids(scene.get()->meshes, records);
+    result.seconds = std::min(result.seconds, now() - start);
+    result.bytes = double(bytes(bvh.nodes) + bytes(bvh.blocks) + codes.size());
+  }
+  return result;
+}
+
+// All over the surface, in the medium of case i.
+std::vector<TynWalkEntry> MeshBench::spread_entries(size_t i, size_t count) const {
+  std::vector<TynWalkEntry> result(count);
+  for (size_t k = 0; k < count; ++k) {
+    result[k] = entries[k * entries.size() / count];
+    result[k].medium = uint32_t(i);
+  }
+  return result;
+}
+
+void MeshBench::run(const std::vector<TynWalkEntry> &walked, Rate &rate) {
+  TynContext &on = *context.get();
+  TynWalkOptions options = tyn_walk_options();
+  options.first_path = next_path;
+  next_path += walked.size();
+  TynWalkParameters parameters = tyn::walk_parameters(*scene.get(), options);
+  parameters.count = uint32_t(walked.size());
+  on.write(entry_buffer, walked.data(), bytes(walked));
+  on.finish();
+  const double start = now();
+  tyn::enqueue_walk(*scene.get(), parameters, entry_buffer.get(), exits.get(), tallies.get());
+  on.finish();
+  const double seconds = now() - start;
+  std::vector<TynWalkExit> done(walked.size());
+  std::vector<TynWalkTally> tallied(walked.size());
+  on.read(exits, done.data(), bytes(done));
+  on.read(tallies, tallied.data(), bytes(tallied));
+  WalkSums sums;
+  for (size_t i = 0; i < done.size(); ++i) {
+    double weight = done[i].status == TYN_WALK_ESCAPED ? double(done[i].weight[0]) : 0;
+    sums += {1, double(done[i].scatterings), double(tallied[i].rays), weight, weight * weight};
+  }
+  rate.add(sums, seconds);
+}
+
+void MeshBench::run_plainly(const Case &what, const std::vector<TynWalkEntry> &walked, Rate &rate) {
+  const double start = now();
+  const WalkSums sums =
+      plain->run({what.sigma_t(), what.albedo, what.g, what.ior}, walked, next_plain_path, threads(*context.get()));
+  rate.add(sums, now() - start);
+  next_plain_path += walked.size();
+}
+
+Result MeshBench::measure(size_t i, const Effort &effort) {
+  Result result;
+  result.what = cases[i];
+  Rate pilot, plain_pilot;
+  for (int k = 0; k < 2; ++k) // the first may have to compile
+    run(spread_entries(i, PILOT_WALKS), pilot);
+  run_plainly(cases[i], spread_entries(i, PLAIN_PILOT_WALKS), plain_pilot);
+  const std::vector<TynWalkEntry> ours = spread_entries(i, walks_for(pilot, effort.seconds));
+  const std::vector<TynWalkEntry> theirs = spread_entries(i, walks_for(plain_pilot, effort.seconds));
+  for (int k = 0; k < effort.repetitions; ++k) {
+    run(ours, result.ours);
+    run_plainly(cases[i], theirs, result.plain);
+  }
+  return result;
+}
+
+OneWalk MeshBench::time_one_walk(size_t i) {
+  constexpr size_t CALLS = 501;
+  const std::vector<TynWalkEntry> walked = spread_entries(i, CALLS);
+  TynWalkOptions options = tyn_walk_options();
+  TynWalkExit exit;
+  std::vector<double> seconds(CALLS);
+  for (int warm = 0; warm < 2; ++warm)
+    for (size_t k = 0; k < CALLS; ++k) {
+      options.first_path = k;
+      const double start = now();
+      scene.check(tyn_walk(scene.get(), &options, &walked[k], 1, &exit, nullptr));
+      seconds[k] = now() - start;
+    }
+  std::nth_element(seconds.begin(), seconds.begin() + CALLS / 2, seconds.end());
+  return {cases[i], seconds[CALLS / 2]};
+}
+
+} // namespace bench
