@@ -15,7 +15,7 @@ using namespace bench;
 
 struct Options {
   Axes axes;
-  Effort effort = {3, 0.3};
+  Effort effort = {3, 0.5};
   bool chosen = false; // by --all or a filter
   bool json = false, one_walk = false;
 };

@@ -18,7 +18,7 @@ namespace {
 
 using namespace tyn_test;
 
-constexpr size_t MOST_WALKS = 1 << 17, PILOT_WALKS = 1 << 12, PLAIN_PILOT_WALKS = 1 << 10;
+constexpr size_t MOST_WALKS = 1 << 18, PILOT_WALKS = 1 << 12, PLAIN_PILOT_WALKS = 1 << 10;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
