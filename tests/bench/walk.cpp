@@ -4,6 +4,10 @@
 // one process: speed of both, and whether they agree.
 #include <cstdio>
 #include <exception>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -53,32 +57,43 @@ int parse(int argc, char **argv, Options &options) {
   return -1;
 }
 
-// Those of one mesh, each mesh's together.
-std::vector<std::vector<Case>> by_mesh(const std::vector<Case> &cases) {
-  std::vector<std::vector<Case>> groups;
-  for (const Case &c : cases) {
-    if (groups.empty() || groups.back()[0].mesh != c.mesh)
-      groups.emplace_back();
-    groups.back().push_back(c);
-  }
-  return groups;
+using Benches = std::map<std::string, std::unique_ptr<MeshBench>>;
+
+// All of them at once, so that the meshes can take turns.
+Benches make_benches(const tyndall::Context &context, const std::vector<Case> &cases) {
+  std::map<std::string, std::vector<Case>> by_mesh;
+  for (const Case &c : cases)
+    by_mesh[c.mesh].push_back(c);
+  Benches benches;
+  for (const auto &[mesh, its_cases] : by_mesh)
+    benches[mesh] = std::make_unique<MeshBench>(context, its_cases);
+  return benches;
 }
 
-void measure(MeshBench &bench, size_t count, const Options &options, Results &results) {
-  results.builds.push_back(bench.build(options.effort.repetitions));
+void measure(const Benches &benches, const std::vector<Case> &cases, const Options &options, Results &results) {
   if (!options.json)
-    print(results.builds.back());
-  for (size_t i = 0; i < count; ++i) {
-    results.cases.push_back(bench.measure(i, options.effort));
+    print_header(results.device);
+  for (const std::string &mesh : mesh_names())
+    if (benches.count(mesh)) {
+      results.builds.push_back(benches.at(mesh)->build(options.effort.repetitions));
+      if (!options.json)
+        print(results.builds.back());
+    }
+  if (!options.json)
+    print_columns();
+  for (const Case &c : cases) {
+    results.cases.push_back(benches.at(c.mesh)->measure(c, options.effort));
     if (!options.json)
       print(results.cases.back());
     warn(results.cases.back());
   }
+  if (!options.json)
+    print_summary(results);
 }
 
-void time_one_walk(MeshBench &bench, size_t count, const Options &options, Results &results) {
-  for (size_t i = 0; i < count; ++i) {
-    results.one_walks.push_back(bench.time_one_walk(i));
+void time_one_walk(const Benches &benches, const std::vector<Case> &cases, const Options &options, Results &results) {
+  for (const Case &c : cases) {
+    results.one_walks.push_back(benches.at(c.mesh)->time_one_walk(c));
     if (!options.json)
       print(results.one_walks.back());
   }
@@ -88,15 +103,9 @@ void run(const Options &options) {
   tyndall::Context context;
   Results results;
   context.check(tyn_context_device(context.get(), &results.device));
-  const bool table = !options.json && !options.one_walk;
-  if (table)
-    print_header(results.device);
-  for (const std::vector<Case> &cases : by_mesh(options.chosen ? all_cases(options.axes) : few_cases())) {
-    MeshBench bench(context, cases);
-    (options.one_walk ? time_one_walk : measure)(bench, cases.size(), options, results);
-  }
-  if (table)
-    print_summary(results);
+  const std::vector<Case> cases = options.chosen ? all_cases(options.axes) : few_cases();
+  const Benches benches = make_benches(context, cases);
+  (options.one_walk ? time_one_walk : measure)(benches, cases, options, results);
   if (options.json)
     print_json(results);
 }

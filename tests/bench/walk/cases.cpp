@@ -43,11 +43,11 @@ bool Case::same_medium(const Case &other) const {
 
 std::vector<Case> all_cases(const Axes &axes) {
   std::vector<Case> cases;
-  for (const std::string &mesh : axes.meshes)
-    for (float width : axes.widths)
-      for (float g : axes.gs)
-        for (float ior : axes.iors)
-          for (float albedo : axes.albedos)
+  for (float width : axes.widths)
+    for (float g : axes.gs)
+      for (float ior : axes.iors)
+        for (float albedo : axes.albedos)
+          for (const std::string &mesh : axes.meshes)
             cases.push_back({mesh, width, g, ior, albedo});
   return cases;
 }

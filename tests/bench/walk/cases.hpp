@@ -29,7 +29,7 @@ struct Axes {
   std::vector<float> widths = {20, 50, 200, 1000}, gs = {0, 0.8f}, iors = {1, 1.4f}, albedos = {0.95f, 0.99f, 0.999f};
 };
 
-// Mesh by mesh.
+// Medium by medium, so that meshes are compared under the same load of the machine.
 std::vector<Case> all_cases(const Axes &axes);
 // Few of the above that show how each value matters.
 std::vector<Case> few_cases();

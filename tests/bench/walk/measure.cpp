@@ -89,12 +89,14 @@ Build MeshBench::build(int repetitions) const {
   return result;
 }
 
-// All over the surface, in the medium of case i.
-std::vector<TynWalkEntry> MeshBench::spread_entries(size_t i, size_t count) const {
+// All over the surface.
+std::vector<TynWalkEntry> MeshBench::spread_entries(const Case &what, size_t count) const {
+  auto same = [&](const Case &other) { return other.same_medium(what); };
+  const auto medium = uint32_t(std::find_if(cases.begin(), cases.end(), same) - cases.begin());
   std::vector<TynWalkEntry> result(count);
   for (size_t k = 0; k < count; ++k) {
     result[k] = entries[k * entries.size() / count];
-    result[k].medium = uint32_t(i);
+    result[k].medium = medium;
   }
   return result;
 }
@@ -132,25 +134,25 @@ void MeshBench::run_plainly(const Case &what, const std::vector<TynWalkEntry> &w
   next_plain_path += walked.size();
 }
 
-Result MeshBench::measure(size_t i, const Effort &effort) {
+Result MeshBench::measure(const Case &what, const Effort &effort) {
   Result result;
-  result.what = cases[i];
+  result.what = what;
   Rate pilot, plain_pilot;
   for (int k = 0; k < 2; ++k) // the first may have to compile
-    run(spread_entries(i, PILOT_WALKS), pilot);
-  run_plainly(cases[i], spread_entries(i, PLAIN_PILOT_WALKS), plain_pilot);
-  const std::vector<TynWalkEntry> ours = spread_entries(i, walks_for(pilot, effort.seconds));
-  const std::vector<TynWalkEntry> theirs = spread_entries(i, walks_for(plain_pilot, effort.seconds));
+    run(spread_entries(what, PILOT_WALKS), pilot);
+  run_plainly(what, spread_entries(what, PLAIN_PILOT_WALKS), plain_pilot);
+  const std::vector<TynWalkEntry> ours = spread_entries(what, walks_for(pilot, effort.seconds));
+  const std::vector<TynWalkEntry> theirs = spread_entries(what, walks_for(plain_pilot, effort.seconds));
   for (int k = 0; k < effort.repetitions; ++k) {
     run(ours, result.ours);
-    run_plainly(cases[i], theirs, result.plain);
+    run_plainly(what, theirs, result.plain);
   }
   return result;
 }
 
-OneWalk MeshBench::time_one_walk(size_t i) {
+OneWalk MeshBench::time_one_walk(const Case &what) {
   constexpr size_t CALLS = 501;
-  const std::vector<TynWalkEntry> walked = spread_entries(i, CALLS);
+  const std::vector<TynWalkEntry> walked = spread_entries(what, CALLS);
   TynWalkOptions options = tyn_walk_options();
   TynWalkExit exit;
   std::vector<double> seconds(CALLS);
@@ -162,7 +164,7 @@ OneWalk MeshBench::time_one_walk(size_t i) {
       seconds[k] = now() - start;
     }
   std::nth_element(seconds.begin(), seconds.begin() + CALLS / 2, seconds.end());
-  return {cases[i], seconds[CALLS / 2]};
+  return {what, seconds[CALLS / 2]};
 }
 
 } // namespace bench

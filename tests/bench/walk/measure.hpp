@@ -63,11 +63,11 @@ public:
   MeshBench(const tyndall::Context &context, const std::vector<Case> &cases);
 
   Build build(int repetitions) const;
-  Result measure(size_t i, const Effort &effort);
-  OneWalk time_one_walk(size_t i);
+  Result measure(const Case &what, const Effort &effort);
+  OneWalk time_one_walk(const Case &what);
 
 private:
-  std::vector<TynWalkEntry> spread_entries(size_t i, size_t count) const;
+  std::vector<TynWalkEntry> spread_entries(const Case &what, size_t count) const;
   void run(const std::vector<TynWalkEntry> &walked, Rate &rate);
   void run_plainly(const Case &what, const std::vector<TynWalkEntry> &walked, Rate &rate);
 

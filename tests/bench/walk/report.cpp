@@ -115,28 +115,30 @@ Json to_json(const std::vector<T> &values) {
 } // namespace
 
 void print_header(const TynDeviceInfo &device) {
-  std::printf(
-      "%s, %u compute units\n"
-      "each line: the library's walk | the plain walk, ratio of their speeds | escaped weight of both | variance of "
-      "its "
-      "mean times\nseconds of work, of both. width: mean free paths across; sc: scatterings; free: flights that "
-      "needed no ray.\n",
-      device.name, device.compute_units);
+  std::printf("%s, %u compute units\n"
+              "each line: the library's walk | the plain walk, ratio of their speeds | escaped weight of both |\n"
+              "variance of its mean times seconds of work, of both. width: mean free paths across; sc: scatterings;\n"
+              "free: flights that needed no ray\n\n",
+              device.name, device.compute_units);
 }
 
 void print(const Build &b) {
-  std::printf("\n%s: %u triangles, tree and distance grid built in %.3f s, %.2f MB, %.0f bytes a triangle\n",
+  std::printf("%s: %u triangles, tree and distance grid built in %.3f s, %.2f MB, %.0f bytes a triangle\n",
               b.mesh.c_str(), b.triangles, b.seconds, 1e-6 * b.bytes, b.bytes / b.triangles);
-  std::printf("%5s %4s %4s %6s | %9s %8s %7s %7s %6s | %9s %6s | %-18s %-18s | %8s %8s\n", "width", "g", "ior",
-              "albedo", "scatt/s", "walks/s", "sc/walk", "rays/sc", "free", "plain", "ratio", "escaped", "plain",
+  std::fflush(stdout);
+}
+
+void print_columns() {
+  std::printf("\n%-11s %5s %4s %4s %6s | %9s %8s %7s %7s %6s | %9s %6s | %-18s %-18s | %8s %8s\n", "mesh", "width", "g",
+              "ior", "albedo", "scatt/s", "walks/s", "sc/walk", "rays/sc", "free", "plain", "ratio", "escaped", "plain",
               "var s", "plain");
   std::fflush(stdout);
 }
 
 void print(const Result &r) {
   std::printf(
-      "%5g %4g %4g %6g | %9.3g %8.3g %7.2f %7.4f %6.4f | %9.3g %6.2f | %.5f +- %.5f %.5f +- %.5f | %8.2g %8.2g\n",
-      double(r.what.width), double(r.what.g), double(r.what.ior), double(r.what.albedo),
+      "%-11s %5g %4g %4g %6g | %9.3g %8.3g %7.2f %7.4f %6.4f | %9.3g %6.2f | %.5f +- %.5f %.5f +- %.5f | %8.2g %8.2g\n",
+      r.what.mesh.c_str(), double(r.what.width), double(r.what.g), double(r.what.ior), double(r.what.albedo),
       r.ours.scatterings_per_second(), r.ours.walks_per_second(), r.ours.scatterings_per_walk(),
       r.ours.rays_per_scattering(), r.free_flights(), r.plain.scatterings_per_second(), r.ratio(), r.ours.sums.mean(),
       r.ours.sums.standard_error(), r.plain.sums.mean(), r.plain.sums.standard_error(), r.ours.variance_seconds(),

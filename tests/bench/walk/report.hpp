@@ -18,6 +18,7 @@ struct Results {
 
 void print_header(const TynDeviceInfo &device);
 void print(const Build &build);
+void print_columns();
 void print(const Result &result);
 void print(const OneWalk &one);
 void print_summary(const Results &results);
