@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a context does on its queue: kernels and copies.
 #include "core/context.hpp"
+#include "core/kernel_times.hpp"
 #include "core/opencl.hpp"
 #include "core/program.hpp"
 
@@ -75,9 +76,9 @@ void TynContext::enqueue(cl_kernel kernel, const char *name, size_t global, size
     local = choose_local(global);
   if (local != 0)
     global = round_up(global, local);
-  tyn::check_cl(
-      clEnqueueNDRangeKernel(queue, kernel, 1, nullptr, &global, local ? &local : nullptr, 0, nullptr, nullptr),
-      "clEnqueueNDRangeKernel", name);
+  cl_event *event = times ? times->next(name) : nullptr;
+  tyn::check_cl(clEnqueueNDRangeKernel(queue, kernel, 1, nullptr, &global, local ? &local : nullptr, 0, nullptr, event),
+                "clEnqueueNDRangeKernel", name);
 }
 
 void TynContext::read(cl_mem buffer, void *host, size_t bytes, size_t offset) {

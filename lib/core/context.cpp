@@ -70,7 +70,7 @@ TynContext *TynContext::create(const TynContextOptions &options) {
   cl_int code = CL_SUCCESS;
   context->cl = clCreateContext(nullptr, 1, &chosen.id, nullptr, nullptr, &code);
   tyn::check_cl(code, "clCreateContext", chosen.info.name);
-  context->queue = clCreateCommandQueue(context->cl, chosen.id, 0, &code);
+  context->queue = clCreateCommandQueue(context->cl, chosen.id, CL_QUEUE_PROFILING_ENABLE, &code);
   tyn::check_cl(code, "clCreateCommandQueue", chosen.info.name);
   return context.release();
 }

@@ -46,6 +46,7 @@ struct Local {
   size_t bytes;
 };
 
+class KernelTimes;
 class Program;
 struct KernelSource;
 
@@ -107,6 +108,8 @@ struct TynContext {
 
   uint64_t memory_limit = 0; // bytes; never more than the device has
   uint64_t memory_used = 0;  // by tyn::Buffer
+
+  tyn::KernelTimes *times = nullptr; // what measures the launches, if anything; it sets and resets this
 
 private:
   TynContext();

@@ -127,7 +127,7 @@ void TynRenderer::run(const TynRenderBudget &budget) {
       pass.sample_count = uint32_t(std::min<uint64_t>(paths / pixels, stop - samples));
     }
     const Clock::time_point pass_start = Clock::now();
-    nonfinite_paths += wavefront.trace(pass, camera, film, ledger);
+    nonfinite_paths += wavefront.trace(pass, camera, film, ledger, times);
     next_pixel += pass.pixel_count;
     if (next_pixel == pixels) {
       next_pixel = 0;
@@ -159,5 +159,6 @@ TynRenderStats TynRenderer::stats() const {
   s.nonfinite_paths = nonfinite_paths;
   s.seed = options.seed;
   s.ledger = ledger.value();
+  times.write(s);
   return s;
 }

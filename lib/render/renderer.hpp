@@ -8,6 +8,7 @@
 #include "render/film.hpp"
 #include "render/ledger.hpp"
 #include "render/tables.hpp"
+#include "render/times.hpp"
 #include "scene/scene.hpp"
 
 struct TynRenderer {
@@ -35,6 +36,7 @@ private:
   const tyn::SceneTables tables;
   const TynCameraRecord camera;
   tyn::RenderLedger ledger;
+  tyn::RenderTimes times;
   uint32_t samples = 0;    // that every pixel has
   uint64_t next_pixel = 0; // pixels before it have one sample more
   uint64_t nonfinite_paths = 0;

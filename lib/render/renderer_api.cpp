@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The renderer's C calls.
 #include "render/renderer.hpp"
+
+#include <cstddef>
+
 #include "core/input.hpp"
 #include "scene/validate.hpp"
 
@@ -79,5 +82,8 @@ extern "C" TynStatus tyn_renderer_read(TynRenderer *renderer, uint32_t layer, fl
 extern "C" TynStatus tyn_renderer_stats(TynRenderer *renderer, TynRenderStats *stats) {
   if (!renderer)
     return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&renderer->scene.context, [&] { tyn::write_struct("TynRenderStats", stats, renderer->stats()); });
+  return tyn::guarded(&renderer->scene.context, [&] {
+    constexpr size_t first_version = offsetof(TynRenderStats, seconds_rays);
+    tyn::write_struct("TynRenderStats", stats, renderer->stats(), first_version);
+  });
 }

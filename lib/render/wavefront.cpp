@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/kernel_times.hpp"
 #include "walk/walk.hpp"
 
 namespace tyn {
@@ -88,7 +89,8 @@ void Wavefront::trace_shadows(uint32_t count) {
 }
 
 uint32_t Wavefront::trace(const TynRenderParameters &parameters, const TynCameraRecord &camera, const Film &film,
-                          RenderLedger &ledger) {
+                          RenderLedger &ledger, RenderTimes &times) {
+  const KernelTimes launches(context);
   uint32_t active = parameters.pixel_count * parameters.sample_count;
   context.launch("render_camera", "camera_rays", active, local_size, paths, results, queue, parameters, camera);
   while (active > 0) {
@@ -106,7 +108,9 @@ uint32_t Wavefront::trace(const TynRenderParameters &parameters, const TynCamera
   context.fill_zero(counters);
   context.launch("render_film", "film_add", parameters.pixel_count, local_size, film.buffer(), results, counters,
                  parameters);
-  return read_counters().bad;
+  const uint32_t bad = read_counters().bad;
+  times.add(launches);
+  return bad;
 }
 
 } // namespace tyn

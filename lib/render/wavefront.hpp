@@ -7,6 +7,7 @@
 #include "render/film.hpp"
 #include "render/ledger.hpp"
 #include "render/tables.hpp"
+#include "render/times.hpp"
 #include "scene/scene.hpp"
 
 namespace tyn {
@@ -20,10 +21,10 @@ public:
   // Largest useful capacity on the context's device.
   static size_t preferred_capacity(const TynContext &context);
 
-  // Traces the paths of a pass, at most capacity(), to their ends and adds them to the film. Returns the number of paths
-  // whose light was not finite.
+  // Traces the paths of a pass, at most capacity(), to their ends and adds them to the film, the ledger and the times. Returns
+  // the number of paths whose light was not finite.
   uint32_t trace(const TynRenderParameters &parameters, const TynCameraRecord &camera, const Film &film,
-                 RenderLedger &ledger);
+                 RenderLedger &ledger, RenderTimes &times);
 
 private:
   struct Counters {

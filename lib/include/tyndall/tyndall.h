@@ -544,6 +544,13 @@ typedef struct TynRenderStats {
   uint64_t nonfinite_paths; /* whose contribution was not finite and was left out; 0 unless there is a defect */
   uint64_t seed;
   TynLedger ledger; /* of all walks */
+  /* Where `seconds` went: time on the device, in seconds >= 0, by kind of kernel. What is missing to `seconds` is the host's:
+   * compiling kernels, copying, waiting. All 0 if it is not known, because the caller's queue (tyndall_cl.h) was made without
+   * CL_QUEUE_PROFILING_ENABLE; otherwise seconds_rays > 0 once there is a path. */
+  double seconds_rays;    /* camera rays made; nearest hits of all paths; shadow rays from surfaces */
+  double seconds_walks;   /* walks inside media, and their ledger; 0 in a scene without media */
+  double seconds_exits;   /* light samples and next ray where a walk left its medium, the shadow rays there included */
+  double seconds_shading; /* materials, light samples and next ray at surfaces; adding paths to the film */
 } TynRenderStats;
 
 TYN_API TynStatus tyn_renderer_stats(TynRenderer *renderer, TynRenderStats *stats);

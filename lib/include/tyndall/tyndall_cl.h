@@ -17,7 +17,8 @@ extern "C" {
 #endif
 
 /* Creates a context on the caller's cl_context and in-order cl_command_queue, both retained. Its device is the queue's.
- * `options`: NULL for defaults; `device` is ignored. An out-of-order queue is INVALID_ARGUMENT. */
+ * `options`: NULL for defaults; `device` is ignored. An out-of-order queue is INVALID_ARGUMENT. Made with
+ * CL_QUEUE_PROFILING_ENABLE, as the library makes its own, it lets TynRenderStats say where a render's time went. */
 TYN_API TynStatus tyn_context_create_cl(const TynContextOptions *options, cl_context cl, cl_command_queue queue,
                                         TynContext **context);
 
