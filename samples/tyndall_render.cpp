@@ -131,6 +131,7 @@ public:
     catch_interrupt();
     RenderLoop(renderer_.get(), arguments_).run();
     stats_ = render_stats(renderer_.get());
+    say_where_time_went();
     warn_about_losses();
     write_images();
     if (arguments_.json)
@@ -187,6 +188,19 @@ private:
     renderer_.reset(renderer);
     say("film: %u x %u, camera: %s", view_.width, view_.height,
         view_.name.empty() ? "framed" : printable(view_.name).c_str());
+  }
+
+  // What the device did, and in the rest the host: compiling kernels, copying, waiting.
+  void say_where_time_went() const {
+    const TynRenderStats &s = stats_;
+    const double total = std::max(s.seconds, 1e-9);
+    const double measured = s.seconds_rays + s.seconds_walks + s.seconds_exits + s.seconds_shading;
+    if (!(measured > 0.0))
+      return;
+    const auto percent = [total](double seconds) { return 100.0 * seconds / total; };
+    say("%.1f s: rays %.0f %%, walks %.0f %%, exits %.0f %%, shading %.0f %%, host %.0f %%", s.seconds,
+        percent(s.seconds_rays), percent(s.seconds_walks), percent(s.seconds_exits), percent(s.seconds_shading),
+        percent(std::max(s.seconds - measured, 0.0)));
   }
 
   // Light that was lost is in the ledger; a user who does not read ledgers hears of it here.
@@ -247,6 +261,10 @@ private:
             {"height", stats_.height},
             {"samples", stats_.samples},
             {"seconds", stats_.seconds},
+            {"seconds_rays", stats_.seconds_rays},
+            {"seconds_walks", stats_.seconds_walks},
+            {"seconds_exits", stats_.seconds_exits},
+            {"seconds_shading", stats_.seconds_shading},
             {"error", stats_.error},
             {"seed", stats_.seed},
             {"paths", stats_.paths},

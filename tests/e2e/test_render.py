@@ -8,6 +8,7 @@ import unittest
 from tools import SKIN_LIKE, ToolTest, cube, exr_header, exr_size, png_size, read_exr, run
 
 LIGHT = {"type": "point", "intensity": 0.01, "color": [1, 1, 1]}
+PARTS = ("rays", "walks", "exits", "shading")
 LEDGER = ("entered", "reflected", "escaped", "absorbed", "balance", "capped", "leaked", "lost")
 
 
@@ -46,6 +47,9 @@ class Render(ToolTest):
         self.assertEqual(report["scene"]["triangles"], 12)
         self.assertEqual(report["scene"]["lights"], 1)
         self.assertGreater(report["seconds"], 0)
+        parts = [report["seconds_" + part] for part in PARTS]
+        self.assertGreater(min(parts), 0)
+        self.assertLess(sum(parts), 1.001 * report["seconds"])
         self.assertGreater(report["error"], 0)
         self.assertTrue(report["device"]["name"])
         ledger = report["ledger"]
@@ -57,6 +61,10 @@ class Render(ToolTest):
     def test_quiet_says_nothing(self):
         result = self.render(self.skin(lights=[LIGHT]), "--spp", 1, "--width", 16, "-q")
         self.assertEqual((result.stdout, result.stderr), ("", ""))
+
+    def test_verbose_says_where_the_time_went(self):
+        result = self.render(self.skin(lights=[LIGHT]), "--spp", 1, "--width", 16, "--verbose")
+        self.assertRegex(result.stderr, r"s: rays \d+ %, walks \d+ %, exits \d+ %, shading \d+ %, host \d+ %\n")
 
     def test_progress_without_a_terminal_is_plain_lines_on_standard_error(self):
         result = self.render(self.skin(lights=[LIGHT]), "--spp", 10, "--width", 16)
@@ -98,7 +106,9 @@ class Render(ToolTest):
 
     def test_a_model_without_scattering_becomes_a_medium_when_asked(self):
         model = self.write("plain.glb", cube(lights=[LIGHT]))
-        self.assertEqual(self.report(model, "--spp", 1, "--width", 16)["ledger"]["walks"], 0)
+        plain = self.report(model, "--spp", 1, "--width", 16)
+        self.assertEqual(plain["ledger"]["walks"], 0)
+        self.assertEqual((plain["seconds_walks"], plain["seconds_exits"]), (0, 0))
         for argument in ("marble", "body=marble", "ALL=marble"):
             report = self.report(model, "--spp", 2, "--width", 16, "--medium", argument)
             self.assertGreater(report["ledger"]["walks"], 0, argument)
