@@ -34,7 +34,10 @@ typedef struct TynTriangleRecord {
   uint32_t vertex[3]; // scene-wide; in outward winding if the mesh holds a medium, else the caller's
   uint32_t mesh;
   uint32_t material; // TYN_NONE never: the host resolves the default
-} TynTriangleRecord; // 20 bytes
+  float
+      horizon; // a flight that starts on the triangle and whose direction's inward component along the normal is at least
+               // this is clear of the surface for the mesh's horizon_reach; above 1: none is
+} TynTriangleRecord; // 24 bytes
 
 #define TYN_MESH_HAS_NORMALS 1u
 #define TYN_MESH_HAS_UVS 2u
@@ -56,7 +59,22 @@ typedef struct TynMeshRecord {
   float grid_cell;       // edge of a cell; 0 for a mesh without a grid, like the others below
   float grid_per_cell;   // 1 / grid_cell
   float grid_step;       // a code's square times this is the distance
-} TynMeshRecord;         // 76 bytes
+  // The grid of local roots: see lib/scene/local_roots.hpp; x fastest, from `lower` on.
+  uint32_t local_first; // index of the first TynBvhNode number; TYN_NONE where nothing is near
+  uint32_t local_size[3];
+  float local_cell; // edge of a cell; 0 for a mesh without local roots
+  float local_per_cell;
+  float horizon_reach; // see TynTriangleRecord::horizon
+} TynMeshRecord;       // 104 bytes
+
+// A cell of a mesh's grid in 32 bits, from the lowest on:
+//   8 code: the square of it times grid_step is a lower bound of the distance from the cell's centre to the surface
+//   8 offset: no point q of the surface in a ball around the centre c has n (q - c) < offset * STEP - 1, lengths in cells
+//   7, 7 n: octahedral, -63 .. 63; its components' absolute values sum to 1
+//   2 reach: (reach + 1) * STEP is the radius of the ball, in cells
+#define TYN_CLEAR_PLANE_STEP (1.0f / 64.0f)
+#define TYN_CLEAR_REACHES 4
+#define TYN_CLEAR_REACH_STEP 1.0f
 
 // ---- Media ------------------------------------------------------------------------------------------------------------
 // A phase function (tyndall_phase.h). Isotropic ones are Henyey-Greenstein with g = 0 here.

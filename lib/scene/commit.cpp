@@ -8,6 +8,8 @@
 
 #include "scene/bvh.hpp"
 #include "scene/distance_grid.hpp"
+#include "scene/horizons.hpp"
+#include "scene/local_roots.hpp"
 
 namespace tyn {
 namespace {
@@ -37,7 +39,7 @@ void append_triangles(Geometry &geometry, const Mesh &mesh, uint32_t mesh_index,
       geometry.turned.push_back(0);
     geometry.turned.back() |= uint32_t(mesh.turned[i]) << number % 32;
     geometry.triangles.push_back(
-        {{first_vertex + index[0], first_vertex + index[1], first_vertex + index[2]}, mesh_index, material});
+        {{first_vertex + index[0], first_vertex + index[1], first_vertex + index[2]}, mesh_index, material, 2});
   }
 }
 
@@ -116,15 +118,17 @@ void commit(TynScene &scene) {
   const bool add_default = needs_default_material(scene);
   const uint32_t default_index = add_default ? uint32_t(scene.materials.size()) : TYN_NONE;
 
-  const Bvh bvh = build_bvh(scene.meshes);
-  const Geometry geometry = concatenate(scene, default_index);
+  Bvh bvh = build_bvh(scene.meshes);
+  Geometry geometry = concatenate(scene, default_index);
   std::vector<TynMeshRecord> meshes = mesh_records(scene, bvh.roots);
-  // bounds only make walks faster: under a tight memory limit they give way to what is needed
-  const std::vector<uint8_t> distances =
-      build_distance_grids(scene.meshes, meshes, scene.context.memory_available() / 16);
   Media media;
   for (const Medium &medium : scene.media)
     append_medium(media, medium.value);
+  // what only makes walks faster gives way to what is needed under a tight memory limit
+  const uint64_t most_bytes = scene.context.memory_available() / 16;
+  std::vector<uint32_t> cells = build_distance_grids(scene.meshes, media.records, meshes, most_bytes);
+  find_horizons(scene.meshes, bvh, meshes, geometry.triangles);
+  add_local_roots(bvh, meshes, cells, most_bytes);
 
   SceneBuffers buffers;
   buffers.nodes = upload(scene.context, bvh.nodes);
@@ -137,7 +141,7 @@ void commit(TynScene &scene) {
   buffers.media = upload(scene.context, media.records);
   buffers.phases = upload(scene.context, media.phases);
   buffers.phase_tables = upload(scene.context, media.tables.data);
-  buffers.distances = upload(scene.context, distances);
+  buffers.cells = upload(scene.context, cells);
   buffers.walk_queue = Buffer(scene.context, sizeof(uint32_t));
   buffers.turned = upload(scene.context, geometry.turned);
   if (add_default)

@@ -9,187 +9,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/cell_triangle.hpp"
+#include "scene/surface_distances.hpp"
+#include "scene/surface_planes.hpp"
+#include "scene/vector.hpp"
 
 namespace tyn {
 namespace {
 
-constexpr uint32_t FINEST = 160;           // cells along the longest side
-constexpr uint32_t COARSER = 4;            // times fewer without a medium
-constexpr uint64_t MOST_CELLS = 40u << 20; // of a scene
-constexpr float REACH = 1.5f;              // distances up to this one are exact
+// Cells along the longest side: one for a mean free path, of the channel that has the shortest, since longer flights need
+// less; without a medium, which an entry may give, some.
+constexpr uint32_t COARSEST = 56, FINEST = 160, WITHOUT_MEDIUM = 40;
+constexpr uint64_t MOST_BYTES = 32u << 20; // of a scene
 // What rounding may have added to a distance: its own few ulps of the grid's size, and the direction's length, which a walk
 // keeps within 1e-6 of 1.
 constexpr double MARGIN_CELLS = 2e-3;
 constexpr double MARGIN_RELATIVE = 1e-3;
 // The slack behind a ray's origin, where hits count; rounding of hits and of the walk's position, a quarter of it each.
 constexpr double MARGIN_SLACKS = 4;
-
-// The grid of one mesh while it is made.
-class Grid {
-public:
-  Grid(const Mesh &mesh_, const TynMeshRecord &record_) : mesh(mesh_), record(record_) {
-    for (int k = 0; k < 3; k++) {
-      size[k] = record.grid_size[k];
-      extent[k] = float((double(record.upper[k]) - record.lower[k]) / record.grid_cell);
-    }
-    near.assign(size_t(size[0]) * size[1] * size[2], INFINITY);
-  }
-
-  // Squared distances from the cells' centres: exact if below REACH^2, else at most what they are.
-  const std::vector<float> &squared_distances() {
-    for (size_t i = 0; i < mesh.indices.size() / 3; i++)
-      add_triangle(i);
-    find_gaps_along_rows();
-    find_gaps_across(size[1], size[0], size[2], size_t(size[0]) * size[1], false);
-    find_gaps_across(size[2], size_t(size[0]) * size[1], size[1], size[0], true);
-    for (size_t i = 0; i < near.size(); i++)
-      near[i] = near[i] <= REACH * REACH ? std::min(near[i], border[i])
-                                         : std::min(std::max(far[i], REACH * REACH), border[i]);
-    return near;
-  }
-
-private:
-  struct Range {
-    int first[3], last[3]; // inclusive
-  };
-
-  size_t index(int x, int y, int z) const { return (size_t(z) * size[1] + size_t(y)) * size[0] + size_t(x); }
-
-  void add_triangle(size_t triangle) {
-    Double3 p[3];
-    for (size_t i = 0; i < 3; i++) {
-      const Double3 v = to_double(mesh.positions[mesh.indices[3 * triangle + i]]);
-      const double scale = 1.0 / double(record.grid_cell);
-      p[i] = {(v.x - double(record.lower[0])) * scale, (v.y - double(record.lower[1])) * scale,
-              (v.z - double(record.lower[2])) * scale};
-    }
-    const CellTriangle cells(p);
-    Range range;
-    for (int k = 0; k < 3; k++) {
-      const auto [lowest, highest] = std::minmax({cells.corner[0][k], cells.corner[1][k], cells.corner[2][k]});
-      range.first[k] = std::clamp(int(std::ceil(lowest - REACH - 0.51f)), 0, int(size[k]) - 1);
-      range.last[k] = std::clamp(int(std::floor(highest + REACH - 0.49f)), 0, int(size[k]) - 1);
-    }
-    add_to_range(cells, range);
-  }
-
-  // Halves large ranges, and leaves out the halves that the triangle is far from.
-  void add_to_range(const CellTriangle &triangle, const Range &range) {
-    int longest = 0, length[3];
-    for (int k = 0; k < 3; k++) {
-      length[k] = range.last[k] - range.first[k] + 1;
-      longest = length[k] > length[longest] ? k : longest;
-    }
-    if (length[0] * length[1] * length[2] <= 128)
-      return add_to_cells(triangle, range);
-    Range halves[2] = {range, range};
-    halves[0].last[longest] = range.first[longest] + length[longest] / 2 - 1;
-    halves[1].first[longest] = halves[0].last[longest] + 1;
-    for (const Range &half : halves)
-      if (may_reach(triangle, half))
-        add_to_range(triangle, half);
-  }
-
-  static bool may_reach(const CellTriangle &triangle, const Range &range) {
-    float centre[3], squared = 0;
-    for (int k = 0; k < 3; k++) {
-      centre[k] = 0.5f * float(range.first[k] + range.last[k] + 1);
-      const float half = 0.5f * float(range.last[k] - range.first[k]);
-      squared += half * half;
-    }
-    const float reach = std::sqrt(squared) + REACH + 0.01f;
-    return triangle.squared_distance(centre[0], centre[1], centre[2]) <= reach * reach;
-  }
-
-  void add_to_cells(const CellTriangle &triangle, const Range &range) {
-    for (int z = range.first[2]; z <= range.last[2]; z++)
-      for (int y = range.first[1]; y <= range.last[1]; y++) {
-        float *row = &near[index(0, y, z)];
-        for (int x = range.first[0]; x <= range.last[0]; x++)
-          row[x] = std::min(row[x], triangle.squared_distance(float(x) + 0.5f, float(y) + 0.5f, float(z) + 0.5f));
-      }
-  }
-
-  // From a cell's centre to the box of a cell `steps` away along an axis.
-  static float squared_gap(size_t steps) {
-    const float gap = std::max(0.0f, float(steps) - 0.5f);
-    return gap * gap;
-  }
-
-  // From a cell's centre to where a walk would leave the bounds along an axis.
-  float to_bounds(int axis, size_t i) const {
-    return std::max(0.0f, std::min(float(i) + 0.5f, extent[axis] - (float(i) + 0.5f)));
-  }
-
-  // In each row the gap to the nearest cell that may hold surface: some of it is within half a diagonal of the centre.
-  void find_gaps_along_rows() {
-    far.assign(near.size(), INFINITY);
-    const size_t count = size[0];
-    for (size_t row = 0; row < near.size(); row += count)
-      for (const bool forwards : {true, false}) {
-        size_t steps = SIZE_MAX;
-        for (size_t i = 0; i < count; i++) {
-          const size_t at = row + (forwards ? i : count - 1 - i);
-          if (near[at] <= 0.76f)
-            steps = 0;
-          else if (steps != SIZE_MAX)
-            steps++;
-          if (steps != SIZE_MAX)
-            far[at] = std::min(far[at], squared_gap(steps));
-        }
-      }
-  }
-
-  // The same across: of `count` rows, `stride` apart, each gets the least of what the others have plus the gap to them. There
-  // are `lines` such sets of rows, `line_stride` apart. A walk that leaves the bounds has to be noticed too, so that nothing
-  // farther away than these matters. `last`: the axis is z.
-  void find_gaps_across(size_t count, size_t stride, size_t lines, size_t line_stride, bool last) {
-    std::vector<float> result(far.size());
-    if (last)
-      border.resize(far.size());
-    std::vector<float> best(size[0]), limit(size[0]);
-    for (size_t line = 0; line < lines; line++)
-      for (size_t i = 0; i < count; i++) {
-        const size_t y = last ? line : i;
-        const float yz = last ? std::min(to_bounds(1, y), to_bounds(2, i)) : to_bounds(1, y);
-        for (size_t x = 0; x < size[0]; x++) {
-          const float bound = std::min(to_bounds(0, x), yz);
-          limit[x] = bound * bound;
-        }
-        const float *rows = &far[line * line_stride];
-        search(rows, count, stride, i, limit, best);
-        const size_t at = line * line_stride + i * stride;
-        std::copy(best.begin(), best.end(), &result[at]);
-        if (last)
-          std::copy(limit.begin(), limit.end(), &border[at]);
-      }
-    far.swap(result);
-  }
-
-  void search(const float *rows, size_t count, size_t stride, size_t i, const std::vector<float> &limit,
-              std::vector<float> &best) const {
-    const size_t width = size[0];
-    for (size_t x = 0; x < width; x++)
-      best[x] = std::min(limit[x], rows[i * stride + x]);
-    for (size_t steps = 1; steps < count; steps++) {
-      const float gap = squared_gap(steps);
-      if (gap >= *std::max_element(best.begin(), best.end()))
-        break;
-      const float *below = i >= steps ? rows + (i - steps) * stride : nullptr;
-      const float *above = i + steps < count ? rows + (i + steps) * stride : nullptr;
-      for (const float *row : {below, above})
-        for (size_t x = 0; row && x < width; x++)
-          best[x] = std::min(best[x], row[x] + gap);
-    }
-  }
-
-  const Mesh &mesh;
-  const TynMeshRecord &record;
-  uint32_t size[3];
-  float extent[3]; // of the bounds; the last cells may reach beyond
-  std::vector<float> near, far, border;
-};
 
 // Cells that the triangles come near, each by each: the time that a grid takes.
 double work(const Mesh &mesh, double cell) {
@@ -201,17 +37,30 @@ double work(const Mesh &mesh, double cell) {
       longest = std::max(longest, length(to_double(mesh.positions[mesh.indices[3 * i + (k + 1) % 3]]) - a));
     }
     const double width = longest > 0 ? length(area_vector(mesh, i)) / longest : 0;
-    sum += 2 * REACH * (longest / cell + 2 * REACH) * (width / cell + 2 * REACH);
+    sum += 2 * SURFACE_DISTANCES_EXACT * (longest / cell + 2 * SURFACE_DISTANCES_EXACT) *
+           (width / cell + 2 * SURFACE_DISTANCES_EXACT);
   }
   return sum;
 }
 
+double longest_side(const TynMeshRecord &record) {
+  double longest = 0;
+  for (int k = 0; k < 3; k++)
+    longest = std::max(longest, double(record.upper[k]) - double(record.lower[k]));
+  return longest;
+}
+
+// Cells along the longest side; 0 for no grid.
+uint32_t cells_along(const Mesh &mesh, const TynMeshRecord &record, const std::vector<TynMediumRecord> &media) {
+  if (mesh.medium == TYN_NONE)
+    return mesh.info.closed ? WITHOUT_MEDIUM : 0;
+  const float *sigma_t = media[mesh.medium].sigma_t;
+  const double cells = longest_side(record) * double(std::max({sigma_t[0], sigma_t[1], sigma_t[2]}));
+  return uint32_t(std::min(std::max(cells, double(COARSEST)), double(FINEST)));
+}
+
 void choose_cells(const Mesh &mesh, TynMeshRecord &record, uint32_t finest) {
-  double extent[3], longest = 0;
-  for (int k = 0; k < 3; k++) {
-    extent[k] = double(record.upper[k]) - double(record.lower[k]);
-    longest = std::max(longest, extent[k]);
-  }
+  const double longest = longest_side(record);
   if (!(longest > 0 && std::isfinite(longest)))
     return;
   const double allowed = 2e7 + 300.0 * record.triangle_count;
@@ -224,7 +73,8 @@ void choose_cells(const Mesh &mesh, TynMeshRecord &record, uint32_t finest) {
   record.grid_cell = cell;
   record.grid_per_cell = per_cell;
   for (int k = 0; k < 3; k++)
-    record.grid_size[k] = std::clamp(uint32_t(std::ceil(extent[k] / double(cell))), 1u, finest + 1);
+    record.grid_size[k] = std::clamp(
+        uint32_t(std::ceil((double(record.upper[k]) - double(record.lower[k])) / double(cell))), 1u, finest + 1);
 }
 
 uint64_t cell_count(const TynMeshRecord &record) {
@@ -237,50 +87,52 @@ void choose_no_grid(TynMeshRecord &record) {
   std::fill_n(record.grid_size, 3, 1u);
 }
 
-// Returns the number of cells of all meshes.
-uint64_t choose_all(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records, uint32_t finest) {
+// Returns the number of cells of all meshes, each with so many times fewer along its sides.
+uint64_t choose_all(const std::vector<Mesh> &meshes, const std::vector<TynMediumRecord> &media,
+                    std::vector<TynMeshRecord> &records, uint32_t fewer) {
   uint64_t sum = 0;
   for (size_t i = 0; i < meshes.size(); i++) {
     choose_no_grid(records[i]);
-    if (meshes[i].medium != TYN_NONE)
-      choose_cells(meshes[i], records[i], finest);
-    else if (meshes[i].info.closed)
-      choose_cells(meshes[i], records[i], std::max(2u, finest / COARSER));
+    const uint32_t along = cells_along(meshes[i], records[i], media);
+    if (along > 0)
+      choose_cells(meshes[i], records[i], std::max(2u, along / fewer));
     sum += cell_count(records[i]);
   }
   return sum;
 }
 
-// Appends the codes: bound = code^2 times the record's step, which is fine near the surface, where it matters.
-void append_codes(const std::vector<float> &squared, TynMeshRecord &record, std::vector<uint8_t> &codes) {
+// Appends the cells: bound = code^2 times the record's step, which is fine near the surface, where it matters.
+void append_cells(const Mesh &mesh, TynMeshRecord &record, std::vector<uint32_t> &cells) {
+  const std::vector<float> squared = squared_surface_distances(mesh, record);
   const double cell = double(record.grid_cell), margin = MARGIN_CELLS * cell + MARGIN_SLACKS * double(record.slack);
   auto bound = [&](float s) { return std::max(0.0, (std::sqrt(double(s)) * cell - margin) * (1 - MARGIN_RELATIVE)); };
   const double largest = bound(*std::max_element(squared.begin(), squared.end()));
-  record.grid_first = uint32_t(codes.size());
+  record.grid_first = uint32_t(cells.size());
   record.grid_step = float(largest / (255 * 255));
   if (!(record.grid_step > 0))
     record.grid_step = 0;
-  for (const float s : squared) {
-    const double steps = record.grid_step > 0 ? bound(s) / double(record.grid_step) : 0;
-    codes.push_back(uint8_t(std::min(255.0, std::floor(std::sqrt(steps)))));
+  const std::vector<uint32_t> planes = surface_planes(mesh, record, squared, margin / cell);
+  for (size_t i = 0; i < squared.size(); i++) {
+    const double steps = record.grid_step > 0 ? bound(squared[i]) / double(record.grid_step) : 0;
+    cells.push_back(planes[i] | uint32_t(std::min(255.0, std::floor(std::sqrt(steps)))));
   }
 }
 
 } // namespace
 
-std::vector<uint8_t> build_distance_grids(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records,
-                                          uint64_t most_bytes) {
-  const uint64_t most_cells = std::min(MOST_CELLS, most_bytes); // of a byte each
-  uint32_t finest = FINEST;
-  while (choose_all(meshes, records, finest) > most_cells && finest > 2)
-    finest /= 2;
-  std::vector<uint8_t> codes;
+std::vector<uint32_t> build_distance_grids(const std::vector<Mesh> &meshes, const std::vector<TynMediumRecord> &media,
+                                           std::vector<TynMeshRecord> &records, uint64_t most_bytes) {
+  const uint64_t most_cells = std::min(MOST_BYTES, most_bytes) / sizeof(uint32_t);
+  uint32_t fewer = 1;
+  while (choose_all(meshes, media, records, fewer) > most_cells && fewer < FINEST)
+    fewer *= 2;
+  std::vector<uint32_t> cells;
   for (size_t i = 0; i < meshes.size(); i++)
     if (records[i].grid_cell > 0)
-      append_codes(Grid(meshes[i], records[i]).squared_distances(), records[i], codes);
-  if (codes.empty())
-    codes.push_back(0);
-  return codes;
+      append_cells(meshes[i], records[i], cells);
+  if (cells.empty())
+    cells.push_back(0);
+  return cells;
 }
 
 } // namespace tyn

@@ -11,11 +11,11 @@
 
 namespace tyn {
 
-// Fills in the grids' fields of the records, whose bounds and slack are there, and returns the codes of all grids one after
-// the other. Meshes that hold a medium have cells of about 1 / 160 of their size; closed ones without, which an entry may
-// give a medium of its own, coarser ones; open ones without a medium none (walks through them trace every flight). Scenes
-// of many meshes get coarser grids, so that all of them stay below 40 MB and `most_bytes`.
-std::vector<uint8_t> build_distance_grids(const std::vector<Mesh> &meshes, std::vector<TynMeshRecord> &records,
-                                          uint64_t most_bytes = UINT64_MAX);
+// Fills in the grids' fields of the records, whose bounds and slack are there, and returns the cells of all grids one after
+// the other. Meshes that hold a medium have cells of about its mean free path, within limits; closed ones without, which an
+// entry may give a medium of its own, coarser ones; open ones without a medium none (walks through them trace every flight).
+// Scenes of many meshes get coarser grids, so that all of them stay below 32 MB and `most_bytes`.
+std::vector<uint32_t> build_distance_grids(const std::vector<Mesh> &meshes, const std::vector<TynMediumRecord> &media,
+                                           std::vector<TynMeshRecord> &records, uint64_t most_bytes = UINT64_MAX);
 
 } // namespace tyn

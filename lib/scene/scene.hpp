@@ -65,7 +65,7 @@ struct SceneBuffers {
   Buffer media;        // TynMediumRecord
   Buffer phases;       // TynPhaseRecord of the media that have one
   Buffer phase_tables; // float
-  Buffer distances;    // a byte a cell of the meshes' grids: see distance_bound.clh
+  Buffer cells;        // of the meshes' grids: see distance_bound.clh and local_roots.clh
   Buffer walk_queue;   // a uint: see WalkQueue in walk.cl
   Buffer turned;       // a bit a triangle, 32 in a uint: Mesh::turned; callers' u and v are exchanged there
 };

@@ -48,7 +48,7 @@ void enqueue_walk(TynScene &scene, TynWalkParameters parameters, cl_mem entries,
   context.fill_zero(b.walk_queue);
   context.launch("walk", "walk_paths", item_count(context, parameters), context.is_gpu() ? 64 : 1, b.nodes, b.blocks,
                  b.triangles, b.positions, b.normals, b.uvs, b.meshes, b.media, b.phases, b.phase_tables, entries,
-                 exits, tallies, b.turned, b.distances, b.walk_queue, parameters);
+                 exits, tallies, b.turned, b.cells, b.walk_queue, parameters);
 }
 
 } // namespace tyn

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -57,32 +58,32 @@ int parse(int argc, char **argv, Options &options) {
   return -1;
 }
 
-using Benches = std::map<std::string, std::unique_ptr<MeshBench>>;
+// By mesh and width: what a commit makes depends on the mean free path.
+using Benches = std::map<std::pair<std::string, float>, std::unique_ptr<MeshBench>>;
 
 // All of them at once, so that the meshes can take turns.
 Benches make_benches(const tyndall::Context &context, const std::vector<Case> &cases) {
-  std::map<std::string, std::vector<Case>> by_mesh;
+  std::map<std::pair<std::string, float>, std::vector<Case>> by_scene;
   for (const Case &c : cases)
-    by_mesh[c.mesh].push_back(c);
+    by_scene[{c.mesh, c.width}].push_back(c);
   Benches benches;
-  for (const auto &[mesh, its_cases] : by_mesh)
-    benches[mesh] = std::make_unique<MeshBench>(context, its_cases);
+  for (const auto &[mesh_and_width, its_cases] : by_scene)
+    benches[mesh_and_width] = std::make_unique<MeshBench>(context, its_cases);
   return benches;
 }
 
 void measure(const Benches &benches, const std::vector<Case> &cases, const Options &options, Results &results) {
   if (!options.json)
     print_header(results.device);
-  for (const std::string &mesh : mesh_names())
-    if (benches.count(mesh)) {
-      results.builds.push_back(benches.at(mesh)->build(options.effort.repetitions));
-      if (!options.json)
-        print(results.builds.back());
-    }
+  for (const auto &[mesh_and_width, bench] : benches) {
+    results.builds.push_back(bench->build(options.effort.repetitions));
+    if (!options.json)
+      print(results.builds.back());
+  }
   if (!options.json)
     print_columns();
   for (const Case &c : cases) {
-    results.cases.push_back(benches.at(c.mesh)->measure(c, options.effort));
+    results.cases.push_back(benches.at({c.mesh, c.width})->measure(c, options.effort));
     if (!options.json)
       print(results.cases.back());
     warn(results.cases.back());
@@ -93,7 +94,7 @@ void measure(const Benches &benches, const std::vector<Case> &cases, const Optio
 
 void time_one_walk(const Benches &benches, const std::vector<Case> &cases, const Options &options, Results &results) {
   for (const Case &c : cases) {
-    results.one_walks.push_back(benches.at(c.mesh)->time_one_walk(c));
+    results.one_walks.push_back(benches.at({c.mesh, c.width})->time_one_walk(c));
     if (!options.json)
       print(results.one_walks.back());
   }

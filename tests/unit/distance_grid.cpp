@@ -16,7 +16,7 @@ namespace {
 using namespace tyn_test;
 
 // What distance_bound.clh computes, in double.
-double bound_at(const TynMeshRecord &record, const std::vector<uint8_t> &codes, const float *p) {
+double bound_at(const TynMeshRecord &record, const std::vector<uint32_t> &cells, const float *p) {
   uint64_t index = record.grid_first, stride = 1;
   double squared = 0;
   for (int k = 0; k < 3; ++k) {
@@ -26,18 +26,18 @@ double bound_at(const TynMeshRecord &record, const std::vector<uint8_t> &codes, 
     index += stride * uint64_t(cell);
     stride *= record.grid_size[k];
   }
-  double code = codes[index];
+  double code = cells[index] & 255u;
   return code * code * double(record.grid_step) - std::sqrt(squared) * double(record.grid_cell);
 }
 
 struct Grids {
   SceneHandle scene;
   std::vector<TynMeshRecord> records;
-  std::vector<uint8_t> codes;
+  std::vector<uint32_t> cells;
 
-  explicit Grids(const MeshData &mesh) : scene(make_scene(shared_context(), mesh, grey_medium(0, 1))) {
+  explicit Grids(const MeshData &mesh) : scene(make_scene(shared_context(), mesh, grey_medium(0, 300))) {
     records = scene->mesh_records;
-    codes = tyn::build_distance_grids(scene->meshes, records);
+    cells = tyn::build_distance_grids(scene->meshes, scene->medium_records, records);
   }
 };
 
@@ -86,7 +86,7 @@ void expect_below_the_distance(const MeshData &mesh, int count) {
   for (int i = 0; i < count; ++i) {
     float p[3];
     points.next(p);
-    double bound = bound_at(record, grids.codes, p), distance = double(oracle.distance(p));
+    double bound = bound_at(record, grids.cells, p), distance = double(oracle.distance(p));
     double out = INFINITY; // to where the point would leave the bounds; below 0 outside
     for (int k = 0; k < 3; ++k)
       out = std::min({out, double(p[k]) - double(record.lower[k]), double(record.upper[k]) - double(p[k])});
@@ -115,7 +115,7 @@ TEST(DistanceGrids, AreCoarserWithoutAMediumAndAbsentInOpenMeshes) {
   TynScene *created = nullptr;
   ASSERT_EQ(tyn_scene_create(shared_context(), nullptr, &created), TYN_OK);
   SceneHandle scene(created);
-  TynMedium medium = grey_medium(0, 1);
+  TynMedium medium = grey_medium(0, 300);
   for (int i = 0; i < 3; ++i) {
     TynMesh view = meshes[i].view();
     if (i == 0) {
@@ -131,7 +131,37 @@ TEST(DistanceGrids, AreCoarserWithoutAMediumAndAbsentInOpenMeshes) {
   EXPECT_EQ(records[2].grid_step, 0.0f);
 }
 
-// Walks with the grid and with one of zeros, which traces every flight.
+TEST(DistanceGrids, HaveCellsOfTheShortestMeanFreePath) {
+  auto cells = [](float sigma) {
+    SceneHandle scene = make_scene(shared_context(), cube(), rgb_medium({0, 0, 0}, {sigma, 0.5f * sigma, 1}));
+    return scene->mesh_records[0].grid_size[1];
+  };
+  const float side = 2;
+  EXPECT_NEAR(cells(10 / side), 56u, 1);
+  EXPECT_NEAR(cells(100 / side), 100u, 1);
+  EXPECT_NEAR(cells(1000 / side), 160u, 1);
+}
+
+// From now on walks trace every flight, from the mesh's own root: no grid, no horizons, no local roots.
+void trace_every_flight(TynScene *scene) {
+  TynMeshRecord mesh = scene->mesh_records[0];
+  mesh.grid_first = mesh.local_first = 0;
+  for (int k = 0; k < 3; ++k)
+    mesh.grid_size[k] = mesh.local_size[k] = 1;
+  mesh.grid_cell = mesh.grid_per_cell = mesh.grid_step = 0;
+  mesh.local_cell = mesh.local_per_cell = mesh.horizon_reach =
+      0; // a local root reaches nowhere, then the mesh's is next
+  TynContext &context = *shared_context();
+  context.write(scene->buffers.meshes, &mesh, sizeof mesh);
+  context.write(scene->buffers.cells, &mesh.root, sizeof mesh.root);
+  std::vector<TynTriangleRecord> triangles(scene->triangle_count);
+  context.read(scene->buffers.triangles, triangles.data(), triangles.size() * sizeof triangles[0]);
+  for (TynTriangleRecord &triangle : triangles)
+    triangle.horizon = 2;
+  context.write(scene->buffers.triangles, triangles.data(), triangles.size() * sizeof triangles[0]);
+}
+
+// Walks with all that saves rays, and without.
 void expect_no_trace(const MeshData &mesh, const TynMedium &medium, size_t count) {
   SceneHandle scene = make_scene(shared_context(), mesh, medium);
   std::vector<TynWalkEntry> entries = surface_entries(mesh, count, 77);
@@ -140,8 +170,7 @@ void expect_no_trace(const MeshData &mesh, const TynMedium &medium, size_t count
   TynWalkOptions options = tyn_walk_options();
   options.max_scatterings = 3000; // the longest mean free paths need no limit, and the shortest would take very long
   Walked with = walk(scene.get(), entries, options);
-  std::vector<uint8_t> zeros(scene->buffers.distances.size(), 0);
-  shared_context()->write(scene->buffers.distances, zeros.data(), zeros.size());
+  trace_every_flight(scene.get());
   Walked without = walk(scene.get(), entries, options);
   EXPECT_EQ(std::memcmp(&with.ledger, &without.ledger, sizeof with.ledger), 0);
   for (size_t i = 0; i < entries.size(); ++i)

@@ -60,7 +60,7 @@ const Layout &host_layout() {
 
       RECORD(TynTriangleRecord),
       FIELD(TynTriangleRecord, vertex), FIELD(TynTriangleRecord, mesh),
-      FIELD(TynTriangleRecord, material),
+      FIELD(TynTriangleRecord, material), FIELD(TynTriangleRecord, horizon),
 
       RECORD(TynMeshRecord),
       FIELD(TynMeshRecord, root), FIELD(TynMeshRecord, first_triangle),
@@ -68,6 +68,8 @@ const Layout &host_layout() {
       FIELD(TynMeshRecord, slack), FIELD(TynMeshRecord, lower), FIELD(TynMeshRecord, upper),
       FIELD(TynMeshRecord, grid_first), FIELD(TynMeshRecord, grid_size), FIELD(TynMeshRecord, grid_cell),
       FIELD(TynMeshRecord, grid_per_cell), FIELD(TynMeshRecord, grid_step),
+      FIELD(TynMeshRecord, local_first), FIELD(TynMeshRecord, local_size), FIELD(TynMeshRecord, local_cell),
+      FIELD(TynMeshRecord, local_per_cell), FIELD(TynMeshRecord, horizon_reach),
 
       RECORD(TynMediumRecord),
       FIELD(TynMediumRecord, sigma_t), FIELD(TynMediumRecord, g), FIELD(TynMediumRecord, albedo),
@@ -270,8 +272,8 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynWalkExit), 96u);
   EXPECT_EQ(sizeof(TynBvhNode), 224u);
   EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
-  EXPECT_EQ(sizeof(TynTriangleRecord), 20u);
-  EXPECT_EQ(sizeof(TynMeshRecord), 76u);
+  EXPECT_EQ(sizeof(TynTriangleRecord), 24u);
+  EXPECT_EQ(sizeof(TynMeshRecord), 104u);
   EXPECT_EQ(sizeof(TynPhaseRecord), 32u);
   EXPECT_EQ(sizeof(TynMediumRecord), 48u);
   EXPECT_EQ(sizeof(TynWalkParameters), 48u);

@@ -8,8 +8,6 @@
 #include <thread>
 
 #include "common/walk_scene.hpp"
-#include "scene/bvh.hpp"
-#include "scene/distance_grid.hpp"
 #include "walk/walk.hpp"
 
 namespace bench {
@@ -58,13 +56,7 @@ MeshBench::MeshBench(const tyndall::Context &context_, const std::vector<Case> &
       entries(surface_entries(mesh, MOST_WALKS, 1)), entry_buffer(*context.get(), bytes(entries)),
       exits(*context.get(), MOST_WALKS * sizeof(TynWalkExit)),
       tallies(*context.get(), MOST_WALKS * sizeof(TynWalkTally)) {
-  TynMesh view = mesh.view();
-  for (const Case &c : cases) {
-    TynMedium medium = grey_medium((1 - c.albedo) * c.sigma_t(), c.albedo * c.sigma_t(), c.g, c.ior);
-    scene.check(tyn_scene_add_medium(scene.get(), &medium, &view.medium));
-  }
-  scene.check(tyn_scene_add_mesh(scene.get(), &view, nullptr));
-  scene.check(tyn_scene_commit(scene.get()));
+  fill(scene);
   TynMeshInfo info{};
   info.size = sizeof info;
   scene.check(tyn_scene_mesh_info(scene.get(), 0, &info));
@@ -74,17 +66,29 @@ MeshBench::MeshBench(const tyndall::Context &context_, const std::vector<Case> &
   plain = std::make_unique<PlainWalk>(mesh, *oracle);
 }
 
+double MeshBench::fill(tyndall::Scene &filled) const {
+  TynMesh view = mesh.view();
+  for (const Case &c : cases) {
+    TynMedium medium = grey_medium((1 - c.albedo) * c.sigma_t(), c.albedo * c.sigma_t(), c.g, c.ior);
+    filled.check(tyn_scene_add_medium(filled.get(), &medium, &view.medium));
+  }
+  filled.check(tyn_scene_add_mesh(filled.get(), &view, nullptr));
+  const double start = now();
+  filled.check(tyn_scene_commit(filled.get()));
+  return now() - start;
+}
+
 Build MeshBench::build(int repetitions) const {
   Build result;
   result.mesh = cases[0].mesh;
+  result.width = cases[0].width;
   result.triangles = mesh.triangle_count();
+  const tyn::SceneBuffers &buffers = scene.get()->buffers;
+  result.bytes = double(buffers.nodes.size() + buffers.blocks.size() + buffers.cells.size()) +
+                 double(sizeof(TynTriangleRecord::horizon)) * result.triangles;
   for (int i = 0; i < repetitions; ++i) {
-    const double start = now();
-    tyn::Bvh bvh = tyn::build_bvh(scene.get()->meshes);
-    std::vector<TynMeshRecord> records = scene.get()->mesh_records;
-    std::vector<uint8_t> codes = tyn::build_distance_grids(scene.get()->meshes, records);
-    result.seconds = std::min(result.seconds, now() - start);
-    result.bytes = double(bytes(bvh.nodes) + bytes(bvh.blocks) + codes.size());
+    tyndall::Scene again(context);
+    result.seconds = std::min(result.seconds, fill(again));
   }
   return result;
 }

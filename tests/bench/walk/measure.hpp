@@ -39,9 +39,10 @@ struct Result {
   double disagreement() const;
 };
 
-// What a commit makes for rays: the tree and the grid of distance bounds.
+// A commit, and what it makes for rays: the tree, its local roots, the grid of distance bounds, the horizons.
 struct Build {
   std::string mesh;
+  float width = 0;
   uint32_t triangles = 0;
   double seconds = INFINITY, bytes = 0;
 };
@@ -59,7 +60,7 @@ struct Effort {
 
 class MeshBench {
 public:
-  // One scene with all media of `cases`, which are of one mesh.
+  // One scene with all media of `cases`, which are of one mesh and one width.
   MeshBench(const tyndall::Context &context, const std::vector<Case> &cases);
 
   Build build(int repetitions) const;
@@ -67,6 +68,8 @@ public:
   OneWalk time_one_walk(const Case &what);
 
 private:
+  // Adds the media and the mesh, and commits, which takes as many seconds as it returns.
+  double fill(tyndall::Scene &filled) const;
   std::vector<TynWalkEntry> spread_entries(const Case &what, size_t count) const;
   void run(const std::vector<TynWalkEntry> &walked, Rate &rate);
   void run_plainly(const Case &what, const std::vector<TynWalkEntry> &walked, Rate &rate);

@@ -97,11 +97,9 @@ Json to_json(const Summary &s) {
 }
 
 Json to_json(const Build &b) {
-  return {{"mesh", b.mesh},
-          {"triangles", b.triangles},
-          {"build_seconds", b.seconds},
-          {"build_bytes", b.bytes},
-          {"bytes_per_triangle", b.bytes / b.triangles}};
+  return {{"mesh", b.mesh},           {"width", b.width},
+          {"triangles", b.triangles}, {"build_seconds", b.seconds},
+          {"build_bytes", b.bytes},   {"bytes_per_triangle", b.bytes / b.triangles}};
 }
 
 template <class T>
@@ -123,8 +121,8 @@ void print_header(const TynDeviceInfo &device) {
 }
 
 void print(const Build &b) {
-  std::printf("%s: %u triangles, tree and distance grid built in %.3f s, %.2f MB, %.0f bytes a triangle\n",
-              b.mesh.c_str(), b.triangles, b.seconds, 1e-6 * b.bytes, b.bytes / b.triangles);
+  std::printf("%s, width %g: %u triangles, committed in %.3f s, %.2f MB for rays, %.0f bytes a triangle\n",
+              b.mesh.c_str(), double(b.width), b.triangles, b.seconds, 1e-6 * b.bytes, b.bytes / b.triangles);
   std::fflush(stdout);
 }
 
