@@ -67,7 +67,7 @@ MeshData inverted(MeshData mesh);                      // every triangle turned;
 MeshData with_flipped(MeshData mesh, uint32_t period); // triangles 0, period, 2 period, ... turned
 MeshData unwelded(const MeshData &mesh);               // three vertices of its own for every triangle
 MeshData without_normals(MeshData mesh);
-MeshData subdivided(MeshData mesh); // 4 triangles for each: 4 i .. 4 i + 3 for triangle i; positions only
+MeshData subdivided(MeshData mesh);               // 4 triangles for each: 4 i .. 4 i + 3 for triangle i; positions only
 MeshData bumpy(MeshData sphere, float amplitude); // bumps on a sphere of radius 1 about the origin
 
 // Meshes that are closed, by name, for tests over all of them.
