@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Near the surface the distance from a cell's centre to the nearest triangle is exact. Farther away it is that to the nearest
-// cell that may hold a piece of surface: a distance transform axis by axis (Felzenszwalb & Huttenlocher 2012, "Distance
-// Transforms of Sampled Functions") over the gaps between a point and boxes, by search, which is as fast for grids of this
-// size. Lengths are in cells here.
+// Chooses the cells of the grids, and puts distances and planes into them.
 #include "scene/distance_grid.hpp"
 
 #include <algorithm>
@@ -126,6 +123,9 @@ std::vector<uint32_t> build_distance_grids(const std::vector<Mesh> &meshes, cons
   uint32_t fewer = 1;
   while (choose_all(meshes, media, records, fewer) > most_cells && fewer < FINEST)
     fewer *= 2;
+  if (fewer >= FINEST) // too many meshes
+    for (TynMeshRecord &record : records)
+      choose_no_grid(record);
   std::vector<uint32_t> cells;
   for (size_t i = 0; i < meshes.size(); i++)
     if (records[i].grid_cell > 0)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Grids of lower bounds of the distance to a mesh's surface, for kernels/distance_bound.clh: a walk's flight that is shorter
-// than the bound where it starts needs no ray.
+// Grids that say how far flights are clear of a mesh's surface, for kernels/distance_bound.clh: a flight that is shorter needs
+// no ray.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,10 @@ constexpr double REACH_CELLS = 1;       // of the distance grid
 constexpr double REACH_TRIANGLES = 1.5; // mean ones: where they are small, there would be very many within a cell
 constexpr double MARGIN = 2e-3;         // of the sine: rounding of directions and normals
 constexpr float NEVER = 2;
+constexpr double THINNEST =
+    1e-3; // sine between two edges, below which the kernels' normal is off by more than the margin
 constexpr size_t MOST_NEIGHBOURS = 256; // a triangle with more has no horizon
+constexpr size_t MOST_NEAR_LEAF = 4096; // nor has one in a leaf with more
 constexpr size_t LANES = 8;
 
 struct Corners {
@@ -40,7 +43,7 @@ public:
   Frame(const Corners &corners_, double slack_) : triangle(corners_), slack(slack_) {
     const Double3 n = cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]);
     const double area = length(n);
-    flat = !(area > 0);
+    flat = !(area > THINNEST * length(triangle.p[1] - triangle.p[0]) * length(triangle.p[2] - triangle.p[0]));
     up = flat ? n : scaled(n, -1 / area);
     for (size_t i = 0; i < 3; i++) {
       const Double3 side = cross(triangle.p[(i + 1) % 3] - triangle.p[i], up); // outwards: up points inwards
@@ -122,9 +125,11 @@ public:
   MeshHorizons(const Mesh &mesh_, const Bvh &bvh_, const TynMeshRecord &record_, TynTriangleRecord *triangles_)
       : mesh(mesh_), bvh(bvh_), record(record_), triangles(triangles_),
         // what rounding may add to a flight, and how far behind its origin a hit counts
-        reach(double(record_.horizon_reach) * 1.001 + 4 * double(record_.slack)) {}
+        reach(double(record_.horizon_reach) * 1.002 + 4 * double(record_.slack)) {}
 
   void find() {
+    if (4 * double(record.slack) > double(record.horizon_reach))
+      return; // far from the origin, where a whole mesh may be within the slack
     std::vector<uint32_t> inner(1, record.root);
     while (!inner.empty()) {
       const TynBvhNode &node = bvh.nodes[inner.back()];
@@ -160,18 +165,19 @@ private:
       lower[k] = float(double(node.bounds[k][leaf]) - reach * 1.001);
       upper[k] = float(double(node.bounds[k + 3][leaf]) + reach * 1.001);
     }
-    find_neighbours(lower, upper);
+    if (!find_neighbours(lower, upper))
+      return;
     const Double3 middle{0.5 * (double(lower[0]) + double(upper[0])), 0.5 * (double(lower[1]) + double(upper[1])),
                          0.5 * (double(lower[2]) + double(upper[2]))};
     find_balls(middle);
     for_leaf(node.child[leaf], [&](uint32_t triangle) { triangles[triangle].horizon = sine(triangle); });
   }
 
-  // Those whose leaves come near.
-  void find_neighbours(const float (&lower)[3], const float (&upper)[3]) {
+  // Those whose leaves come near; false if they are too many.
+  bool find_neighbours(const float (&lower)[3], const float (&upper)[3]) {
     neighbours.clear();
     stack.assign(1, record.root);
-    while (!stack.empty()) {
+    while (!stack.empty() && neighbours.size() <= MOST_NEAR_LEAF) {
       const TynBvhNode &node = bvh.nodes[stack.back()];
       stack.pop_back();
       uint32_t meets[TYN_BVH_WIDTH];
@@ -186,6 +192,7 @@ private:
             stack.push_back(node.child[i]);
         }
     }
+    return neighbours.size() <= MOST_NEAR_LEAF;
   }
 
   void find_balls(const Double3 &middle) {

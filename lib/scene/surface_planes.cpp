@@ -189,7 +189,7 @@ public:
     Bins<6> patches(mean_patches(), size);
     Bins<PIECE> surface(std::move(pieces), size);
     for (int i = 0; i < TYN_CLEAR_REACHES; i++) {
-      const float r = TYN_CLEAR_REACH_STEP * float(i + 1) + margin;
+      const float r = TYN_CLEAR_REACH_STEP * float(i + 1) * 1.002f + margin; // directions' lengths are 1 within 1e-3
       reach[i] = r;
     }
     std::vector<uint32_t> result(squared.size(), 0);
@@ -365,7 +365,7 @@ private:
         const float height = upper ? extent[axis] - c[axis] : c[axis];
         const float outward = upper ? normal[axis] : -normal[axis];
         for (int i = 0; i < TYN_CLEAR_REACHES; i++) {
-          const float radius = TYN_CLEAR_REACH_STEP * float(i + 1) + margin;
+          const float radius = reach[i];
           if (height >= radius)
             continue;
           if (height < 0 || -outward * radius > height * std::sqrt(squared_length)) {
@@ -396,6 +396,8 @@ private:
 
 std::vector<uint32_t> surface_planes(const Mesh &mesh, const TynMeshRecord &record, const std::vector<float> &squared,
                                      double margin) {
+  if (margin >= 3) // far from the origin: no plane near a cell would be left
+    return std::vector<uint32_t>(squared.size(), 0);
   return Planes(mesh, record, squared, margin).codes();
 }
 
