@@ -54,18 +54,21 @@ typedef struct TynMeshRecord {
   float lower[3];
   float upper[3]; // bounds, widened by slack
   // The grid of distance_bound.clh; cells are stored x fastest.
-  uint32_t grid_first;   // index of its first code
+  uint32_t grid_first;   // index of its first cell
   uint32_t grid_size[3]; // cells along x, y, z, from `lower` on; 1 for a mesh without a grid
   float grid_cell;       // edge of a cell; 0 for a mesh without a grid, like the others below
   float grid_per_cell;   // 1 / grid_cell
   float grid_step;       // a code's square times this is the distance
   // The grid of local roots: see lib/scene/local_roots.hpp; x fastest, from `lower` on.
-  uint32_t local_first; // index of the first TynBvhNode number; TYN_NONE where nothing is near
+  uint32_t local_first; // index of its first cell, which holds a TynBvhNode number, or TYN_NONE where nothing is near
   uint32_t local_size[3];
-  float local_cell; // edge of a cell; 0 for a mesh without local roots
+  float local_cell; // edge of a cell; without local roots one large cell has the mesh's own, or this is 0
   float local_per_cell;
   float horizon_reach; // see TynTriangleRecord::horizon
 } TynMeshRecord;       // 104 bytes
+
+#define TYN_LOCAL_REACH 0.5f // cells around a cell of the local roots' grid that its root is for, too
+#define TYN_NO_HORIZON 2.0f  // TynTriangleRecord::horizon that no direction reaches
 
 // A cell of a mesh's grid in 32 bits, from the lowest on:
 //   8 code: the square of it times grid_step is a lower bound of the distance from the cell's centre to the surface
@@ -116,7 +119,7 @@ typedef struct TynWalkTally {
   float reflected[3];
   float absorbed[3];
   float balance[3];
-  uint32_t rays; // traced: fewer than flights, see distance_bound.clh
+  uint32_t rays; // traced: fewer than flights, see walk_flight.clh
 } TynWalkTally;  // 40 bytes
 
 #endif

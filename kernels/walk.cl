@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random walks inside meshes. A work-item walks TYN_LANES entries at once; a lane whose walk ends takes the next entry of the
-// work-item's slice, and after a slice the next one that no work-item has. Entering, flights, weights and scattering run over all
-// lanes together; rays run several at a time, boundaries lane by lane. Most flights need no ray: see walk_flight.clh. None of this
-// changes what a walk does: it is the same to the last bit as if every flight were traced, by itself.
+// work-item's slice, and after a slice the next one that no work-item has. Entering, flights, weights and scattering run over
+// all lanes together; rays run several at a time, boundaries lane by lane. Most flights need no ray: see walk_flight.clh.
+// None of this changes what a walk does: it is the same to the last bit as if every flight were traced, by itself.
 //
 // Colour. One flight serves all three channels: a channel is chosen in proportion to its throughput w, the flight is drawn
 // with that channel's sigma_t, and every channel is weighted by the balance heuristic over the choice,

@@ -38,8 +38,10 @@ void append_triangles(Geometry &geometry, const Mesh &mesh, uint32_t mesh_index,
     if (number % 32 == 0)
       geometry.turned.push_back(0);
     geometry.turned.back() |= uint32_t(mesh.turned[i]) << number % 32;
-    geometry.triangles.push_back(
-        {{first_vertex + index[0], first_vertex + index[1], first_vertex + index[2]}, mesh_index, material, 2});
+    geometry.triangles.push_back({{first_vertex + index[0], first_vertex + index[1], first_vertex + index[2]},
+                                  mesh_index,
+                                  material,
+                                  TYN_NO_HORIZON});
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // In the frame of a triangle T, z up into the mesh, a point q of another triangle is seen from a point p of T under an angle
-// whose tangent is at most h(q) / s(q), where h is q's height and s its distance from a line that has T on one side and q on the
-// other. Both are linear over a triangle beyond that line, so their ratio is largest at one of its corners; a corner that
+// whose tangent is at most h(q) / s(q), where h is q's height and s its distance from a line that has T on one side and q on
+// the other. Both are linear over a triangle beyond that line, so their ratio is largest at one of its corners; a corner that
 // it shares with T, where both are 0, does not count. Of the lines along T's edges and of those that touch it at a corner,
 // halfway between its edges, the one that gives the least bound is taken.
 #include "scene/horizons.hpp"
@@ -18,7 +18,6 @@ namespace {
 constexpr double REACH_CELLS = 1;       // of the distance grid
 constexpr double REACH_TRIANGLES = 1.5; // mean ones: where they are small, there would be very many within a cell
 constexpr double MARGIN = 2e-3;         // of the sine: rounding of directions and normals
-constexpr float NEVER = 2;
 constexpr double THINNEST =
     1e-3; // sine between two edges, below which the kernels' normal is off by more than the margin
 constexpr size_t MOST_NEIGHBOURS = 256; // a triangle with more has no horizon
@@ -217,18 +216,18 @@ private:
     const size_t own = size_t(std::find(neighbours.begin(), neighbours.end(), triangle) - neighbours.begin());
     const Frame frame(near[own], double(record.slack));
     if (frame.has_no_area())
-      return NEVER;
+      return TYN_NO_HORIZON;
     find_near(own);
     if (close.size() > MOST_NEIGHBOURS)
-      return NEVER;
+      return TYN_NO_HORIZON;
     double tangent = 0;
     for (const uint32_t other : close)
       if (other != own && tangent < 1)
         tangent = std::max(tangent, frame.tangent(near[other]));
     if (!(tangent < 1))
-      return NEVER;
+      return TYN_NO_HORIZON;
     const double result = tangent / std::sqrt(1 + tangent * tangent) + MARGIN;
-    return stays_within_bounds(near[own], frame.inwards(), result) ? float(result) : NEVER;
+    return stays_within_bounds(near[own], frame.inwards(), result) ? float(result) : TYN_NO_HORIZON;
   }
 
   // The neighbours whose balls are within reach of the triangle's.
@@ -297,7 +296,7 @@ void find_horizons(const std::vector<Mesh> &meshes, const Bvh &bvh, std::vector<
     TynMeshRecord &record = records[i];
     TynTriangleRecord *own = triangles.data() + record.first_triangle;
     for (uint32_t k = 0; k < record.triangle_count; k++)
-      own[k].horizon = NEVER; // of those that are not in the tree, too
+      own[k].horizon = TYN_NO_HORIZON; // of those that are not in the tree, too
     record.horizon_reach =
         float(std::min(REACH_CELLS * double(record.grid_cell), REACH_TRIANGLES * mean_size(meshes[i])));
     if (record.horizon_reach > 0)

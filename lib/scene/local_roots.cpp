@@ -71,10 +71,10 @@ private:
     uint32_t first[3], end[3];
   };
 
-  // Half a cell around belongs to a cell, and what rounding and the slack behind a ray's origin may add.
+  // What is around belongs to a cell, and what rounding and the slack behind a ray's origin may add.
   Box box_of(const Range &range) const {
     Box box;
-    const float reach = 0.5f + MARGIN;
+    const float reach = TYN_LOCAL_REACH + MARGIN;
     for (int k = 0; k < 3; k++) {
       box.lower[k] = record.lower[k] + (float(range.first[k]) - reach) * record.local_cell - 2 * record.slack;
       box.upper[k] = record.lower[k] + (float(range.end[k]) + reach) * record.local_cell + 2 * record.slack;

@@ -11,8 +11,8 @@
 
 namespace tyn {
 
-// The upper 24 bits of a cell (kernels/shared.h) for each cell of the record's grid, 0 in the lower 8; 0 for a cell without a plane.
-// `squared`: see surface_distances.hpp; only cells near the surface get a plane. `margin`: what is taken off a plane's
+// The upper 24 bits of a cell (kernels/shared.h) for each cell of the record's grid, 0 in the lower 8; 0 for a cell without a
+// plane. `squared`: see surface_distances.hpp; only cells near the surface get a plane. `margin`: what is taken off a plane's
 // distance, in cells.
 std::vector<uint32_t> surface_planes(const Mesh &mesh, const TynMeshRecord &record, const std::vector<float> &squared,
                                      double margin);
