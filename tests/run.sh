@@ -59,13 +59,13 @@ if [ $# -gt 0 ]; then
   exit
 fi
 
-# Both suites run even if the first fails; the summaries stand together at the end. With sanitizers a test has a second try,
+# Both suites run even if the first fails; the summaries stand together at the end. With sanitizers a test has three tries,
 # since LeakSanitizer's tracer dies now and then beside a driver's threads at exit; and what compares bits that the device made
 # has nothing for them to see.
 rm -f build/*-tests.log
 result=0
 suite ci 2>&1 | tee build/ci-tests.log || result=1
-{ build asan test-unit test-bad_input minimal && suite asan -L '^(unit|bad-input)$' -E 'DistanceGridWalk|Thoroughly' --repeat until-pass:2 2>&1 | tee build/asan-tests.log; } ||
+{ build asan test-unit test-bad_input minimal && suite asan -L '^(unit|bad-input)$' -E 'DistanceGridWalk|Thoroughly' --repeat until-pass:3 2>&1 | tee build/asan-tests.log; } ||
   result=1
 
 # summary PRESET: ctest's verdict, without the times of the labels
