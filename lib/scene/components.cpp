@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "scene/parity_sets.hpp"
 #include "scene/vector.hpp"
@@ -95,6 +96,24 @@ bool contains(const Component &component, const Double3 &p) {
          p.z >= double(low[2]) && p.z <= double(high[2]);
 }
 
+// A sweep along x: calls visit(i, open) for each component in `order`, by where it begins, with those that began before it and have
+// not ended there, until visit returns false.
+template <class F>
+void sweep(const std::vector<Component> &components, std::vector<uint32_t> order, F &&visit) {
+  std::stable_sort(order.begin(), order.end(),
+                   [&](uint32_t a, uint32_t b) { return components[a].lower[0] < components[b].lower[0]; });
+  std::vector<uint32_t> open;
+  for (uint32_t i : order) {
+    const float begin = components[i].lower[0];
+    open.erase(
+        std::remove_if(open.begin(), open.end(), [&](uint32_t other) { return components[other].upper[0] < begin; }),
+        open.end());
+    if (!visit(i, open))
+      return;
+    open.push_back(i);
+  }
+}
+
 } // namespace
 
 std::vector<Component> find_components(const Mesh &mesh, const std::vector<uint32_t> &corners,
@@ -128,27 +147,21 @@ std::vector<Component> find_components(const Mesh &mesh, const std::vector<uint3
   return components;
 }
 
-// A sweep along x: whatever a component lies in begins before it and has not ended.
+// Whatever a component lies in begins before it and has not ended.
 std::vector<Nesting> find_nesting(const Mesh &mesh, const std::vector<Component> &components) {
   std::vector<Nesting> nesting(components.size());
-  std::vector<uint32_t> order, open;
+  std::vector<uint32_t> order;
   for (uint32_t i = 0; i < nesting.size(); i++) {
     nesting[i] = {i, 0};
     if (components[i].closed)
       order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](uint32_t a, uint32_t b) { return components[a].lower[0] < components[b].lower[0]; });
-  for (uint32_t i : order) {
-    const float begin = components[i].lower[0];
-    open.erase(
-        std::remove_if(open.begin(), open.end(), [&](uint32_t other) { return components[other].upper[0] < begin; }),
-        open.end());
+  sweep(components, std::move(order), [&](uint32_t i, const std::vector<uint32_t> &open) {
     for (uint32_t other : open)
       if (lies_inside(mesh, components[i], components[other]) && nesting[i].depth++ == 0)
         nesting[i].outermost = nesting[other].outermost;
-    open.push_back(i);
-  }
+    return true;
+  });
   return nesting;
 }
 
@@ -164,25 +177,21 @@ bool boxes_meet(const Component &a, const Component &b) {
 // Of each component, the others whose boxes meet its own; empty if that takes more than `left` comparisons.
 std::vector<std::vector<uint32_t>> find_neighbours(const std::vector<Component> &components, uint64_t left) {
   std::vector<std::vector<uint32_t>> neighbours(components.size());
-  std::vector<uint32_t> order(components.size()), open;
+  std::vector<uint32_t> order(components.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](uint32_t a, uint32_t b) { return components[a].lower[0] < components[b].lower[0]; });
-  for (uint32_t i : order) {
-    const float begin = components[i].lower[0];
-    open.erase(
-        std::remove_if(open.begin(), open.end(), [&](uint32_t other) { return components[other].upper[0] < begin; }),
-        open.end());
-    if (left < open.size())
-      return {};
-    left -= open.size();
+  bool few = true;
+  sweep(components, std::move(order), [&](uint32_t i, const std::vector<uint32_t> &open) {
+    few = open.size() <= left;
+    left -= few ? open.size() : 0;
     for (uint32_t other : open)
-      if (boxes_meet(components[i], components[other])) {
+      if (few && boxes_meet(components[i], components[other])) {
         neighbours[i].push_back(other);
         neighbours[other].push_back(i);
       }
-    open.push_back(i);
-  }
+    return few;
+  });
+  if (!few)
+    neighbours.clear();
   return neighbours;
 }
 

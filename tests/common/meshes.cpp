@@ -460,4 +460,24 @@ std::vector<NamedMesh> hostile_meshes() {
           {"a needle", needles(4, 1e6f)}};
 }
 
+std::vector<NamedMesh> walked_meshes() {
+  std::vector<NamedMesh> meshes = closed_meshes();
+  meshes.push_back({"hemisphere with a hole", open_hemisphere(3)});
+  for (const NamedMesh &hostile : hostile_meshes())
+    meshes.push_back(hostile);
+  return meshes;
+}
+
+std::vector<NamedMesh> watertight_meshes() {
+  std::vector<NamedMesh> meshes = closed_meshes();
+  meshes.push_back({"cube with sliver", cube_with_sliver()});
+  return meshes;
+}
+
+std::string test_name(const NamedMesh &named) {
+  std::string name = named.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 } // namespace tyn_test

@@ -79,5 +79,11 @@ inline void PrintTo(const NamedMesh &named, std::ostream *out) { *out << named.n
 std::vector<NamedMesh> closed_meshes();
 // What files do hold: slivers, triangles given twice, shells that touch or overlap, a needle.
 std::vector<NamedMesh> hostile_meshes();
+// All of the above, and one with a hole.
+std::vector<NamedMesh> walked_meshes();
+// Closed ones, and a cube with a triangle without area in an edge.
+std::vector<NamedMesh> watertight_meshes();
+// What GoogleTest takes for the name of a test over one.
+std::string test_name(const NamedMesh &named);
 
 } // namespace tyn_test

@@ -166,18 +166,7 @@ TEST_P(Watertight, NoRayFromInsideMisses) {
   EXPECT_EQ(count_misses(scene, axis_rays(*scene.operator->(), random)), 0u);
 }
 
-std::vector<NamedMesh> meshes() {
-  std::vector<NamedMesh> list = closed_meshes();
-  list.push_back({"cube with sliver", cube_with_sliver()});
-  return list;
-}
-
-INSTANTIATE_TEST_SUITE_P(Meshes, Watertight, ::testing::ValuesIn(meshes()), [](const auto &test) {
-  std::string name = test.param.name;
-  for (char &c : name)
-    if (c == ' ')
-      c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Meshes, Watertight, ::testing::ValuesIn(watertight_meshes()),
+                         [](const auto &test) { return test_name(test.param); });
 
 } // namespace

@@ -157,18 +157,7 @@ TEST_P(WatertightWalk, ReflectedAtAVertexOrAnEdgeIsAccountedFor) {
   EXPECT_EQ(ledger.escaped_walks, walks / 4);
 }
 
-std::vector<NamedMesh> meshes() {
-  std::vector<NamedMesh> list = closed_meshes();
-  list.push_back({"cube with sliver", cube_with_sliver()});
-  return list;
-}
-
-INSTANTIATE_TEST_SUITE_P(Meshes, WatertightWalk, testing::ValuesIn(meshes()), [](const auto &test) {
-  std::string name = test.param.name;
-  for (char &c : name)
-    if (c == ' ')
-      c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Meshes, WatertightWalk, testing::ValuesIn(watertight_meshes()),
+                         [](const auto &test) { return test_name(test.param); });
 
 } // namespace

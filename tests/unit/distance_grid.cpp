@@ -198,14 +198,6 @@ TEST_P(DistanceGridWalk, ThoroughlyGivesTheSameBitsAsTracingEveryFlight) {
   expect_no_trace_in(GetParam().mesh, {1e-4f, 1e-3f, 1e-2f, 0.1f, 1.0f, 10.0f}, 400);
 }
 
-std::vector<NamedMesh> walked_meshes() {
-  std::vector<NamedMesh> meshes = closed_meshes();
-  meshes.push_back({"hemisphere with a hole", open_hemisphere(3)});
-  for (const NamedMesh &hostile : hostile_meshes())
-    meshes.push_back(hostile);
-  return meshes;
-}
-
 INSTANTIATE_TEST_SUITE_P(InEvery, DistanceGridWalk, testing::ValuesIn(walked_meshes()),
                          [](const auto &one) { return std::to_string(one.index); });
 

@@ -99,40 +99,35 @@ private:
   std::uniform_real_distribution<double> uniform;
 };
 
-std::vector<NamedMesh> all_meshes() {
-  std::vector<NamedMesh> meshes = closed_meshes();
-  meshes.push_back({"hemisphere with a hole", open_hemisphere(3)});
-  for (const NamedMesh &hostile : hostile_meshes())
-    meshes.push_back(hostile);
-  return meshes;
+struct Found {
+  int checked = 0, close = 0;
+};
+
+// Lets `check` look at the planes of every mesh; none may be wrong.
+template <class F>
+Found check_all(F &&check) {
+  Found found;
+  for (const NamedMesh &named : walked_meshes()) {
+    SCOPED_TRACE(named.name);
+    SurfacePlanes planes(named.mesh);
+    check(planes);
+    EXPECT_GE(planes.least, 0);
+    found.checked += planes.checked;
+    found.close += planes.close;
+  }
+  return found;
 }
 
 TEST(SurfacePlanes, HaveTheSurfaceOnTheirFarSide) {
-  int checked = 0, close = 0;
-  for (const NamedMesh &named : all_meshes()) {
-    SCOPED_TRACE(named.name);
-    SurfacePlanes planes(named.mesh);
-    planes.check_surface(200000);
-    EXPECT_GE(planes.least, 0);
-    checked += planes.checked;
-    close += planes.close;
-  }
-  EXPECT_GT(checked, 100000);
-  EXPECT_GT(close, 1000); // an offset larger by a tenth of a cell would be too large
+  const Found found = check_all([](SurfacePlanes &planes) { planes.check_surface(200000); });
+  EXPECT_GT(found.checked, 100000);
+  EXPECT_GT(found.close, 1000); // an offset larger by a tenth of a cell would be too large
 }
 
 TEST(SurfacePlanes, HaveTheBoundsOnTheirFarSide) {
-  int checked = 0, close = 0;
-  for (const NamedMesh &named : all_meshes()) {
-    SCOPED_TRACE(named.name);
-    SurfacePlanes planes(named.mesh);
-    planes.check_bounds(50000);
-    EXPECT_GE(planes.least, 0);
-    checked += planes.checked;
-    close += planes.close;
-  }
-  EXPECT_GT(checked, 10000);
-  EXPECT_GT(close, 100);
+  const Found found = check_all([](SurfacePlanes &planes) { planes.check_bounds(50000); });
+  EXPECT_GT(found.checked, 10000);
+  EXPECT_GT(found.close, 100);
 }
 
 } // namespace

@@ -64,12 +64,7 @@ TEST_P(HostileMesh, EveryWalkEndsAndIsAccountedFor) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, HostileMesh, testing::ValuesIn(hostile_meshes()), [](const auto &test) {
-  std::string name = test.param.name;
-  for (char &c : name)
-    if (c == ' ')
-      c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Of, HostileMesh, testing::ValuesIn(hostile_meshes()),
+                         [](const auto &test) { return test_name(test.param); });
 
 } // namespace
