@@ -42,15 +42,16 @@ const KernelSource &find_source(const char *name) {
   fail(TYN_ERROR_INTERNAL, "there is no kernel program \"%s\"", name);
 }
 
-std::string build_options(const TynDeviceInfo &device, cl_device_id id) {
-  const bool has_fma = device_value<cl_device_fp_config>(id, CL_DEVICE_SINGLE_FP_CONFIG) & CL_FP_FMA;
-  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s%s", device.lane_width, device.is_gpu ? " -D TYN_GPU=1" : "",
-                has_fma ? " -D TYN_FMA=1" : "");
-}
-
 bool is_pocl(cl_device_id device) {
   const auto platform = device_value<cl_platform_id>(device, CL_DEVICE_PLATFORM);
   return platform_text(platform, CL_PLATFORM_NAME) == "Portable Computing Language";
+}
+
+std::string build_options(const TynDeviceInfo &device, cl_device_id id) {
+  const bool has_fma = device_value<cl_device_fp_config>(id, CL_DEVICE_SINGLE_FP_CONFIG) & CL_FP_FMA;
+  const bool has_prefetch = !device.is_gpu && is_pocl(id); // Clang's
+  return format("-cl-std=CL1.2 -D TYN_LANES=%u%s%s%s", device.lane_width, device.is_gpu ? " -D TYN_GPU=1" : "",
+                has_fma ? " -D TYN_FMA=1" : "", has_prefetch ? " -D TYN_PREFETCH=1" : "");
 }
 
 Program::Program(cl_context cl, cl_device_id target, const KernelSource &source, const std::string &options,
