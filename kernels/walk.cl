@@ -63,6 +63,55 @@ static void walk_refill(WalkBuffers buffers, TynWalkParameters parameters, Walks
   }
 }
 
+// The flights of the lanes in `moving` have been made.
+static void walk_finish_flight(Walks *walks, LaneInt moving, LaneFloat flight) {
+  LaneFloat none = (LaneFloat)(0.0f), made = lane_choose(moving, flight, none);
+  walks->draw.all -= lane_as_uint(moving);
+  walks->length.all += made;
+  walks->ball.all -= made;
+  walks->looks.all = lane_choose(moving, (LaneInt)(0), walks->looks.all);
+  walks->clear_start.all = lane_choose(moving, none, walks->clear_start.all);
+  walks->clear_end.all = lane_choose(moving, none, walks->clear_end.all);
+}
+
+// Roulette, and the cap on scatterings, for the lanes in `scattered`.
+static void walk_end_some(Walks *walks, TynWalkParameters parameters, LaneInt scattered, const LaneUint random[4]) {
+  LaneInt dead = walk_roulette(walks, scattered, parameters.roulette_threshold, random);
+  LaneInt capped = (LaneInt)(0);
+  if (parameters.max_scatterings)
+    capped = scattered & ~dead &
+             lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks->scatterings.all)) & 1u));
+  walks->triangle.all = lane_choose(dead | capped, (LaneUint)(TYN_NONE), walks->triangle.all);
+  walks->status.all = lane_choose(dead, (LaneInt)(TYN_WALK_ABSORBED), walks->status.all);
+  walks->status.all = lane_choose(capped, (LaneInt)(TYN_WALK_CAPPED), walks->status.all);
+}
+
+// One flight of every lane that need not wait, and what is at its end.
+static void walk_step(WalkBuffers buffers, TynWalkParameters parameters, Walks *walks, uint2 key) {
+  LaneUint random[4] = {walks->path[0].all, walks->path[1].all, walks->draw.all, (LaneUint)(TYN_DOMAIN_WALK)};
+  lane_philox(random, key.x, key.y);
+
+  LaneFloats flight;
+  LaneInts at_surface;
+  flight.all = walk_sample_flight(walks, random);
+  LaneInt moving = walk_fly(buffers, walks, &flight, &at_surface);
+  walk_finish_flight(walks, moving, flight.all);
+  walk_weight_flight(walks, flight.all, at_surface.all, moving);
+
+  LaneInt scatters = moving & ~at_surface.all & lane_lt(walks->status.all, (LaneInt)(0));
+  if (lane_any(scatters)) {
+    walk_scatter(buffers, walks, scatters, flight.all, random, key);
+    walk_end_some(walks, parameters, scatters, random);
+  }
+  LaneUints boundary_random;
+  boundary_random.all = random[2];
+  LaneInt arrived = at_surface.all & lane_eq(walks->status.all, (LaneInt)(WALK_RUNNING));
+  for (uint bits = lane_bits(arrived); bits; bits &= bits - 1u) {
+    int lane = lane_lowest(bits);
+    walk_boundary(buffers, walks, lane, key, boundary_random.lane[lane]);
+  }
+}
+
 kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleBlock *blocks,
                        global const TynTriangleRecord *triangles, global const float *positions,
                        global const float *normals, global const float *uvs, global const TynMeshRecord *meshes,
@@ -95,67 +144,13 @@ kernel void walk_paths(global const TynBvhNode *nodes, global const TynTriangleB
     return;
 
   Walks walks;
-  walks.active.all = (LaneInt)(0);
-  walks.status.all = (LaneInt)(WALK_RUNNING);
-  walks.other_phase.all = walks.coloured.all = (LaneInt)(0);
-  // idle lanes compute with harmless numbers
-  walks.draw.all = walks.path[0].all = walks.path[1].all = walks.index.all = walks.scatterings.all = walks.rays.all =
-      (LaneUint)(0u);
-  distance_grids_clear(&walks.grids);
-  local_grids_clear(&walks.local_grids);
-  walks.ball.all = walks.clear_start.all = walks.clear_end.all = (LaneFloat)(0.0f);
-  walks.looks.all = (LaneInt)(0);
-  walks.reflections.all = (LaneUint)(0u);
-  walks.triangle.all = (LaneUint)(TYN_NONE);
-  walks.g.all = walks.length.all = (LaneFloat)(0.0f);
-  for (int c = 0; c < 3; ++c) {
-    walks.position[c].all = walks.absorbed[c].all = walks.balance[c].all = (LaneFloat)(0.0f);
-    walks.direction[c].all = (LaneFloat)(c == 2 ? 1.0f : 0.0f);
-    walks.weight[c].all = walks.sigma_t[c].all = walks.albedo[c].all = (LaneFloat)(1.0f);
-  }
-
+  walks_clear(&walks);
   WalkEntrance entrance;
   walk_clear_entrance(&entrance);
   for (;;) {
     walk_refill(buffers, parameters, &walks, &queue, &entrance);
     if (!lane_any(walks.active.all))
       break;
-
-    LaneUint random[4] = {walks.path[0].all, walks.path[1].all, walks.draw.all, (LaneUint)(TYN_DOMAIN_WALK)};
-    lane_philox(random, key.x, key.y);
-
-    LaneFloats flight;
-    LaneInts at_surface;
-    flight.all = walk_sample_flight(&walks, random);
-    LaneInt moving = walk_fly(buffers, &walks, &flight, &at_surface);
-    walks.draw.all -= lane_as_uint(moving);
-    walks.ball.all -= lane_choose(moving, flight.all, (LaneFloat)(0.0f));
-    walks.looks.all = lane_choose(moving, (LaneInt)(0), walks.looks.all);
-    walks.clear_start.all = lane_choose(moving, (LaneFloat)(0.0f), walks.clear_start.all);
-    walks.clear_end.all = lane_choose(moving, (LaneFloat)(0.0f), walks.clear_end.all);
-    walks.length.all += lane_choose(moving, flight.all, (LaneFloat)(0.0f));
-    walk_weight_flight(&walks, flight.all, at_surface.all, moving);
-
-    LaneInt scatters = moving & ~at_surface.all & lane_lt(walks.status.all, (LaneInt)(0));
-    if (lane_any(scatters)) {
-      walk_scatter(buffers, &walks, scatters, flight.all, random, key);
-      LaneInt dead = walk_roulette(&walks, scatters, parameters.roulette_threshold, random);
-      LaneInt capped = (LaneInt)(0);
-      if (parameters.max_scatterings)
-        capped =
-            scatters & ~dead &
-            lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks.scatterings.all)) & 1u));
-      walks.reflections.all = lane_choose(scatters, (LaneUint)(0u), walks.reflections.all);
-      walks.triangle.all = lane_choose(dead | capped, (LaneUint)(TYN_NONE), walks.triangle.all);
-      walks.status.all = lane_choose(dead, (LaneInt)(TYN_WALK_ABSORBED), walks.status.all);
-      walks.status.all = lane_choose(capped, (LaneInt)(TYN_WALK_CAPPED), walks.status.all);
-    }
-    LaneUints boundary_random;
-    boundary_random.all = random[2];
-    LaneInt arrived = at_surface.all & lane_eq(walks.status.all, (LaneInt)(WALK_RUNNING));
-    for (uint bits = lane_bits(arrived); bits; bits &= bits - 1u) {
-      int lane = lane_lowest(bits);
-      walk_boundary(buffers, &walks, lane, key, boundary_random.lane[lane]);
-    }
+    walk_step(buffers, parameters, &walks, key);
   }
 }

@@ -40,13 +40,6 @@ double work(const Mesh &mesh, double cell) {
   return sum;
 }
 
-double longest_side(const TynMeshRecord &record) {
-  double longest = 0;
-  for (int k = 0; k < 3; k++)
-    longest = std::max(longest, double(record.upper[k]) - double(record.lower[k]));
-  return longest;
-}
-
 // Cells along the longest side; 0 for no grid.
 uint32_t cells_along(const Mesh &mesh, const TynMeshRecord &record, const std::vector<TynMediumRecord> &media) {
   if (mesh.medium == TYN_NONE)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/vector.hpp"
+
 namespace tyn {
 namespace {
 
@@ -176,13 +178,6 @@ private:
   std::vector<Child> opened;
   std::vector<uint8_t> closed;
 };
-
-double longest_side(const TynMeshRecord &record) {
-  double longest = 0;
-  for (int k = 0; k < 3; k++)
-    longest = std::max(longest, double(record.upper[k]) - double(record.lower[k]));
-  return longest;
-}
 
 // One cell that is larger than the mesh, whose root is the mesh's own: every walk looks for its local root.
 void add_none(TynMeshRecord &record, std::vector<uint32_t> &cells) {

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
+#include "scene/octahedral_normal.hpp"
+#include "scene/point_bins.hpp"
 #include "scene/vector.hpp"
 
 namespace tyn {
@@ -20,155 +21,10 @@ constexpr float NEAR = 2;       // cells whose centre is farther away from the s
 constexpr float OUTSIDE = -1; // nor those that are all outside: about so far from the surface, half a diagonal is 0.87
 constexpr float GIVEN_UP = 0.05f; // of a plane's distance for each cell that the ball's radius grows
 constexpr float BLUR = 2.5f;      // radius of the ball whose surface gives a plane's normal
-constexpr int BIN = 4,
-              BRICK = 2; // cells along the side: of those whose points are stored together, and looked at together
-constexpr size_t LANES = 4;
+constexpr int BRICK = 2;          // cells along the side of those that are looked at together
 // of a piece of surface: its middle, its normal times twice its area, its radius, and its corners from the middle
 constexpr size_t PIECE = 16;
 constexpr float FAR = 1e30f;
-
-struct Float3 {
-  float x, y, z;
-};
-
-// GCC and Clang compute with these lane by lane, by one instruction where the processor has it.
-typedef float Lanes __attribute__((vector_size(LANES * sizeof(float))));
-
-Lanes load(const float *from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
-
-float sum(Lanes lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
-
-// Octahedral code of a direction (Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors");
-// decoded as the kernel does it: the vector's components sum to 1, so that its length is between 0.57 and 1.
-struct OctahedralNormal {
-  int32_t u, v; // -63 .. 63
-
-  explicit OctahedralNormal(const Double3 &n) {
-    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    double a = n.x / sum, b = n.y / sum;
-    if (n.z < 0) {
-      const double folded = (1 - std::abs(b)) * std::copysign(1.0, a);
-      b = (1 - std::abs(a)) * std::copysign(1.0, b);
-      a = folded;
-    }
-    u = int32_t(std::lround(63 * a));
-    v = int32_t(std::lround(63 * b));
-  }
-
-  Float3 decoded() const {
-    const float a = float(u) / 63, b = float(v) / 63, c = 1 - std::abs(a) - std::abs(b);
-    if (c >= 0)
-      return {a, b, c};
-    return {std::copysign(1 - std::abs(b), a), std::copysign(1 - std::abs(a), b), c};
-  }
-};
-
-// Coordinates, each in an array of its own, so that loops over them are vectorized. N: of a point, and what else it has.
-template <size_t N>
-struct Cloud {
-  std::vector<float> of[N];
-  size_t count = 0;
-
-  void add(const float (&values)[N]) {
-    for (size_t k = 0; k < N; k++)
-      of[k].push_back(values[k]);
-    count++;
-  }
-
-  // Room for `most` and for a whole number of LANES.
-  void clear(size_t most) {
-    count = 0;
-    for (std::vector<float> &values : of)
-      if (values.size() < most + LANES)
-        values.resize(most + LANES);
-  }
-
-  // Fills the last LANES with points that are far from everything.
-  void pad() {
-    for (size_t k = 0; k < N; k++)
-      std::fill_n(&of[k][count], LANES, k < 3 ? 1e6f : 0.0f);
-  }
-};
-
-// A cloud sorted by bins of BIN^3 cells.
-template <size_t N>
-class Bins {
-public:
-  Bins(Cloud<N> &&from, const int (&grid)[3]) {
-    for (int k = 0; k < 3; k++)
-      size[k] = (grid[k] + BIN - 1) / BIN;
-    first.assign(size_t(size[0]) * size_t(size[1]) * size_t(size[2]) + 1, 0);
-    std::vector<uint32_t> bin(from.count);
-    for (size_t i = 0; i < from.count; i++) {
-      bin[i] = uint32_t(index(of(from.of[0][i], 0), of(from.of[1][i], 1), of(from.of[2][i], 2)));
-      first[bin[i] + 1]++;
-    }
-    for (size_t i = 1; i < first.size(); i++)
-      first[i] += first[i - 1];
-    std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (std::vector<float> &values : all.of)
-      values.resize(from.count);
-    for (size_t i = 0; i < from.count; i++) {
-      const size_t to = next[bin[i]]++;
-      for (size_t k = 0; k < N; k++)
-        all.of[k][to] = from.of[k][i];
-    }
-  }
-
-  // What is within a ball around c, relative to c.
-  void gather(const float (&c)[3], float radius, Cloud<N> &near) {
-    int from[3], to[3];
-    for (int k = 0; k < 3; k++) {
-      from[k] = of(c[k] - radius, k);
-      to[k] = of(c[k] + radius, k);
-    }
-    found.clear();
-    for_rows(from, to, [&](size_t begin, size_t end) {
-      const size_t before = found.size();
-      found.resize(before + (end - begin));
-      uint32_t *next = found.data() + before;
-      for (size_t i = begin; i < end; i++) {
-        const float x = all.of[0][i] - c[0], y = all.of[1][i] - c[1], z = all.of[2][i] - c[2];
-        *next = uint32_t(i);
-        next += x * x + y * y + z * z <= radius * radius;
-      }
-      found.resize(size_t(next - found.data()));
-    });
-    near.clear(found.size());
-    near.count = found.size();
-    for (size_t k = 0; k < N; k++) {
-      const float *values = all.of[k].data(), origin = k < 3 ? c[k] : 0;
-      for (size_t i = 0; i < found.size(); i++)
-        near.of[k][i] = values[found[i]] - origin;
-    }
-    near.pad();
-  }
-
-private:
-  // Points beyond the grid are in its outermost bins.
-  int of(float x, int axis) const { return std::clamp(int(x * (1.0f / BIN)), 0, size[axis] - 1); }
-  size_t index(int x, int y, int z) const {
-    return (size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x);
-  }
-
-  template <class F>
-  void for_rows(const int (&from)[3], const int (&to)[3], F &&f) const {
-    for (int z = from[2]; z <= to[2]; z++)
-      for (int y = from[1]; y <= to[1]; y++)
-        f(first[index(from[0], y, z)], first[index(to[0], y, z) + 1]);
-  }
-
-  int size[3];
-  std::vector<uint32_t> first;
-  Cloud<N> all;
-  std::vector<uint32_t> found; // by the last search
-};
 
 struct Limits {
   float front[TYN_CLEAR_REACHES]; // least of n p over the surface in each ball

@@ -131,4 +131,60 @@ TEST(LaneRotate, TurnsByTheAngleAndKeepsTheLength) {
       }
 }
 
+TEST(LaneNormalize, GivesUnitVectorsOfAnyLength) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> component(-1, 1);
+  double worst = 0;
+  for (int exponent = -125; exponent <= 126; ++exponent)
+    for (int i = 0; i < 100; ++i) {
+      float v[3];
+      double exact[3], squared = 0;
+      for (int k = 0; k < 3; ++k) {
+        v[k] = std::ldexp(component(random), exponent);
+        exact[k] = std::ldexp(double(v[k]), -exponent);
+        squared += exact[k] * exact[k];
+      }
+      lane_normalize(v);
+      for (int k = 0; k < 3; ++k)
+        worst = std::max(worst, std::abs(double(v[k]) - exact[k] / std::sqrt(squared)));
+    }
+  EXPECT_LT(worst, 2e-7);
+}
+
+TEST(LaneNormalize, DoesWhatTheFunctionForOneVectorDoes) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> component(-3, 3);
+  for (int i = 0; i < 10000; ++i) {
+    float v[3] = {component(random), component(random), component(random)};
+    const float3 one = tyn_normalize(tyn_vec3(v[0], v[1], v[2]));
+    lane_normalize(v);
+    EXPECT_EQ(v[0], one.x);
+    EXPECT_EQ(v[1], one.y);
+    EXPECT_EQ(v[2], one.z);
+  }
+}
+
+TEST(LaneNormalize, LeavesAZeroVector) {
+  float v[3] = {0, -0.0f, 0};
+  lane_normalize(v);
+  EXPECT_EQ(v[0], 0);
+  EXPECT_EQ(v[1], 0);
+  EXPECT_EQ(v[2], 0);
+}
+
+TEST(LaneCross, IsPerpendicularAndRightHanded) {
+  const float x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
+  float z[3];
+  lane_cross(x, y, z);
+  EXPECT_EQ(z[0], 0);
+  EXPECT_EQ(z[1], 0);
+  EXPECT_EQ(z[2], 1);
+  const float a[3] = {1, 2, 3}, b[3] = {-4, 5, 7};
+  float c[3];
+  lane_cross(a, b, c);
+  EXPECT_EQ(c[0], -1);
+  EXPECT_EQ(c[1], -19);
+  EXPECT_EQ(c[2], 13);
+}
+
 } // namespace
