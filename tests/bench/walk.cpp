@@ -22,7 +22,7 @@ struct Options {
   Axes axes;
   Effort effort = {3, 0.5};
   bool chosen = false; // by --all or a filter
-  bool json = false, one_walk = false;
+  bool json = false, one_walk = false, overrides = false;
 };
 
 // Exit status to end with, or -1 to go on.
@@ -46,6 +46,9 @@ int parse(int argc, char **argv, Options &options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--batch1", options.one_walk, "instead: the median time of tyn_walk with one entry, for each case");
+  app.add_flag(
+      "--overrides", options.overrides,
+      "instead: the speed with colours, radii and media that the entries give, over that without, for each case");
   app.add_flag("--json", options.json, "print one JSON document");
   try {
     app.parse(argc, argv);
@@ -100,13 +103,24 @@ void time_one_walk(const Benches &benches, const std::vector<Case> &cases, const
   }
 }
 
+void measure_overrides(const Benches &benches, const std::vector<Case> &cases, const Options &options,
+                       Results &results) {
+  for (const Case &c : cases) {
+    results.overrides.push_back(benches.at({c.mesh, c.width})->measure_overrides(c, options.effort));
+    if (!options.json)
+      print(results.overrides.back());
+  }
+}
+
 void run(const Options &options) {
   tyndall::Context context;
   Results results;
   context.check(tyn_context_device(context.get(), &results.device));
   const std::vector<Case> cases = options.chosen ? all_cases(options.axes) : few_cases();
   const Benches benches = make_benches(context, cases);
-  (options.one_walk ? time_one_walk : measure)(benches, cases, options, results);
+  (options.one_walk    ? time_one_walk
+   : options.overrides ? measure_overrides
+                       : measure)(benches, cases, options, results);
   if (options.json)
     print_json(results);
 }

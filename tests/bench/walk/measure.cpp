@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 #include <stdexcept>
 #include <thread>
 
@@ -169,6 +170,45 @@ OneWalk MeshBench::time_one_walk(const Case &what) {
     }
   std::nth_element(seconds.begin(), seconds.begin() + CALLS / 2, seconds.end());
   return {what, seconds[CALLS / 2]};
+}
+
+Overrides MeshBench::measure_overrides(const Case &what, const Effort &effort) {
+  Rate pilot;
+  for (int k = 0; k < 2; ++k) // the first may have to compile
+    run(spread_entries(what, PILOT_WALKS), pilot);
+  const size_t count = walks_for(pilot, effort.seconds);
+  const std::vector<TynWalkEntry> as_it_is = spread_entries(what, count);
+  std::vector<TynWalkEntry> same = as_it_is, own = as_it_is, several = as_it_is;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> around(0.8f, 1.2f);
+  for (size_t k = 0; k < count; ++k) {
+    several[k].medium = uint32_t(k % cases.size());
+    for (int c = 0; c < 3; ++c) {
+      same[k].albedo[c] = what.albedo;
+      same[k].sigma_t[c] = what.sigma_t();
+      own[k].albedo[c] = 1 - (1 - what.albedo) * around(random);
+      own[k].sigma_t[c] = what.sigma_t() * around(random);
+    }
+  }
+  Rate alone, same_rate, own_rate, several_rate;
+  std::vector<Rate> by_medium(cases.size());
+  for (int k = 0; k < effort.repetitions; ++k) {
+    run(as_it_is, alone);
+    run(same, same_rate);
+    run(own, own_rate);
+    run(several, several_rate);
+    for (size_t i = 0; i < cases.size(); ++i)
+      run(spread_entries(cases[i], count / cases.size()), by_medium[i]);
+  }
+  WalkSums sums;
+  double seconds = 0;
+  for (const Rate &rate : by_medium) {
+    sums += rate.fastest;
+    seconds += rate.seconds;
+  }
+  return {what, same_rate.scatterings_per_second() / alone.scatterings_per_second(),
+          own_rate.scatterings_per_second() / alone.scatterings_per_second(),
+          several_rate.scatterings_per_second() / (sums.scatterings / seconds)};
 }
 
 } // namespace bench

@@ -53,6 +53,14 @@ struct OneWalk {
   double seconds;
 };
 
+// Scatterings per second of walks whose entries say more than their mesh, over those of walks that leave all to one medium:
+struct Overrides {
+  Case what;
+  double same_values;   // entries with the medium's own albedo and extinction
+  double own_values;    // entries with coloured albedos and extinctions around them
+  double several_media; // entries of all media of the scene in turns, over as many walks in a batch a medium
+};
+
 struct Effort {
   int repetitions;
   double seconds; // that one repetition should take, of each
@@ -66,6 +74,7 @@ public:
   Build build(int repetitions) const;
   Result measure(const Case &what, const Effort &effort);
   OneWalk time_one_walk(const Case &what);
+  Overrides measure_overrides(const Case &what, const Effort &effort);
 
 private:
   // Adds the media and the mesh, and commits, which takes as many seconds as it returns.

@@ -88,6 +88,14 @@ Json to_json(const OneWalk &one) {
   return json;
 }
 
+Json to_json(const Overrides &o) {
+  Json json = to_json(o.what);
+  json["same_values"] = o.same_values;
+  json["own_values"] = o.own_values;
+  json["several_media"] = o.several_media;
+  return json;
+}
+
 Json to_json(const Summary &s) {
   return {{"median_ratio", s.median_ratio},
           {"least_ratio", s.least_ratio},
@@ -161,12 +169,24 @@ void print(const OneWalk &one) {
   std::fflush(stdout);
 }
 
+void print(const Overrides &o) {
+  const Case &c = o.what;
+  std::printf(
+      "%-11s width %4g, g %3g, ior %3g, albedo %5g: speed with the medium's values in the entries %.2f, with values of "
+      "their own %.2f, with several media %.2f\n",
+      c.mesh.c_str(), double(c.width), double(c.g), double(c.ior), double(c.albedo), o.same_values, o.own_values,
+      o.several_media);
+  std::fflush(stdout);
+}
+
 void print_json(const Results &results) {
   Json document = {{"device", results.device.name},
                    {"compute_units", results.device.compute_units},
                    {"lane_width", results.device.lane_width}};
-  if (results.cases.empty()) {
+  if (!results.one_walks.empty()) {
     document["one_walk"] = to_json(results.one_walks);
+  } else if (!results.overrides.empty()) {
+    document["overrides"] = to_json(results.overrides);
   } else {
     document["meshes"] = to_json(results.builds);
     document["cases"] = to_json(results.cases);

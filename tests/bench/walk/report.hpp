@@ -14,6 +14,7 @@ struct Results {
   std::vector<Build> builds;
   std::vector<Result> cases;
   std::vector<OneWalk> one_walks;
+  std::vector<Overrides> overrides;
 };
 
 void print_header(const TynDeviceInfo &device);
@@ -21,6 +22,7 @@ void print(const Build &build);
 void print_columns();
 void print(const Result &result);
 void print(const OneWalk &one);
+void print(const Overrides &overrides);
 void print_summary(const Results &results);
 void print_json(const Results &results);
 // To standard error, if the two walks do not lead to the same escaped weight.
