@@ -109,10 +109,9 @@ typedef struct TynWalkParameters {
   float roulette_threshold; // 0: no roulette
   uint32_t mesh_count;
   uint32_t medium_count;
-  uint32_t triangle_count;
-  uint32_t slice;           // entries per work-item
+  uint32_t slice;           // entries that a work-item takes at a time
   uint32_t callers_winding; // 1: exits give u and v for the caller's order of vertices, else for the scene's
-} TynWalkParameters;        // 48 bytes
+} TynWalkParameters;        // 44 bytes
 
 // What one walk adds to the ledger beside what its exit says.
 typedef struct TynWalkTally {

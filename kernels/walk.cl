@@ -79,8 +79,7 @@ static void walk_end_some(Walks *walks, TynWalkParameters parameters, LaneInt sc
   LaneInt dead = walk_roulette(walks, scattered, parameters.roulette_threshold, random);
   LaneInt capped = (LaneInt)(0);
   if (parameters.max_scatterings)
-    capped = scattered & ~dead &
-             lane_as_int(-(lane_as_uint(lane_le((LaneUint)(parameters.max_scatterings), walks->scatterings.all)) & 1u));
+    capped = scattered & ~dead & lane_le((LaneUint)(parameters.max_scatterings), walks->scatterings.all);
   walks->triangle.all = lane_choose(dead | capped, (LaneUint)(TYN_NONE), walks->triangle.all);
   walks->status.all = lane_choose(dead, (LaneInt)(TYN_WALK_ABSORBED), walks->status.all);
   walks->status.all = lane_choose(capped, (LaneInt)(TYN_WALK_CAPPED), walks->status.all);

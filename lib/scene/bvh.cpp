@@ -214,6 +214,13 @@ float mesh_slack(const Mesh &mesh) {
   return largest > 0 ? std::ldexp(1.0f, exponent - 20) : 0;
 }
 
+double longest_side(const TynMeshRecord &record) {
+  double longest = 0;
+  for (int k = 0; k < 3; k++)
+    longest = std::max(longest, double(record.upper[k]) - double(record.lower[k]));
+  return longest;
+}
+
 Bvh build_bvh(const std::vector<Mesh> &meshes) {
   EmbreeBuilder builder;
   Bvh bvh;

@@ -20,6 +20,9 @@ struct Bvh {
 // largest absolute coordinate, rounded up to a power of two.
 float mesh_slack(const Mesh &mesh);
 
+// Of a mesh's bounds.
+double longest_side(const TynMeshRecord &record);
+
 // The same bytes for the same meshes, whatever the number of threads. Scaling all positions by a power of two changes
 // only the exponents in it. Throws OUT_OF_MEMORY or, for trees that the traversal stack cannot hold, INTERNAL.
 Bvh build_bvh(const std::vector<Mesh> &meshes);

@@ -182,13 +182,15 @@ std::vector<std::vector<uint32_t>> find_neighbours(const std::vector<Component> 
   bool few = true;
   sweep(components, std::move(order), [&](uint32_t i, const std::vector<uint32_t> &open) {
     few = open.size() <= left;
-    left -= few ? open.size() : 0;
+    if (!few)
+      return false;
+    left -= open.size();
     for (uint32_t other : open)
-      if (few && boxes_meet(components[i], components[other])) {
+      if (boxes_meet(components[i], components[other])) {
         neighbours[i].push_back(other);
         neighbours[other].push_back(i);
       }
-    return few;
+    return true;
   });
   if (!few)
     neighbours.clear();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/bvh.hpp"
 #include "scene/surface_distances.hpp"
 #include "scene/surface_planes.hpp"
 #include "scene/vector.hpp"
@@ -17,8 +18,8 @@ namespace {
 // less; without a medium, which an entry may give, some.
 constexpr uint32_t COARSEST = 56, FINEST = 160, WITHOUT_MEDIUM = 40;
 constexpr uint64_t MOST_BYTES = 32u << 20; // of a scene
-// What rounding may have added to a distance: its own few ulps of the grid's size, and the direction's length, which a walk
-// keeps within 1e-6 of 1.
+// What rounding may have added to a distance: a few ulps of the grid's size; and the direction's length, which a walk keeps
+// within 1e-6 of 1, but which callers may give 1e-3 off.
 constexpr double MARGIN_CELLS = 2e-3;
 constexpr double MARGIN_RELATIVE = 1e-3;
 // The slack behind a ray's origin, where hits count; rounding of hits and of the walk's position, a quarter of it each.

@@ -106,7 +106,8 @@ private:
       const double h = touches ? std::abs(height[k]) : height[k];
       if (!(beyond[k] > 4 * slack))
         return INFINITY;
-      largest = std::max(largest, h / beyond[k]);
+      // a start may be a slack off its triangle: see walk_is_on_triangle
+      largest = std::max(largest, (h + slack) / (beyond[k] - slack));
     }
     return largest;
   }

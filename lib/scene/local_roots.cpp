@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/vector.hpp"
-
 namespace tyn {
 namespace {
 
@@ -202,6 +200,8 @@ uint64_t choose_cells(TynMeshRecord &record, uint64_t most_bytes) {
   for (along = std::ceil(std::min(along, double(FINEST))); along >= 2; along = std::floor(along / 2)) {
     record.local_cell = float(longest / along);
     record.local_per_cell = 1 / record.local_cell;
+    if (!std::isfinite(record.local_per_cell))
+      continue;
     uint64_t count = 1;
     for (int k = 0; k < 3; k++) {
       record.local_size[k] = std::clamp(uint32_t(std::ceil(extent[k] * double(record.local_per_cell))), 1u, FINEST + 1);

@@ -15,7 +15,7 @@ struct Float3 {
 };
 
 // Octahedral code of a direction (Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors");
-// decoded as the kernel does it: the vector's components sum to 1, so that its length is between 0.57 and 1.
+// decoded as the kernel does it, within rounding: the vector's components sum to 1, so that its length is between 0.57 and 1.
 struct OctahedralNormal {
   int32_t u, v; // -63 .. 63
 

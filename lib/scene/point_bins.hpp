@@ -11,24 +11,24 @@
 
 namespace tyn {
 
-constexpr size_t LANES = 4;
+constexpr size_t POINT_LANES = 4;
 
-// GCC and Clang compute with these lane by lane, by one instruction where the processor has it.
-typedef float Lanes __attribute__((vector_size(LANES * sizeof(float))));
+// GCC and Clang compute with them lane by lane, by one instruction where the processor has it.
+typedef float Float4 __attribute__((vector_size(POINT_LANES * sizeof(float))));
 
-inline Lanes load(const float *from) {
-  Lanes lanes;
+inline Float4 load_float4(const float *from) {
+  Float4 lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
 
-inline Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
+inline Float4 lane_minimum(Float4 a, Float4 b) { return a < b ? a : b; }
 
-inline float sum(Lanes lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+inline float lane_sum(Float4 lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
 // Coordinates, each in an array of its own, so that loops over them are vectorized. N: of a point, and what else it has.
 template <size_t N>
-struct Cloud {
+struct PointCloud {
   std::vector<float> of[N];
   size_t count = 0;
 
@@ -38,30 +38,30 @@ struct Cloud {
     count++;
   }
 
-  // Room for `most` and for a whole number of LANES.
+  // Room for `most` and for a whole number of POINT_LANES.
   void clear(size_t most) {
     count = 0;
     for (std::vector<float> &values : of)
-      if (values.size() < most + LANES)
-        values.resize(most + LANES);
+      if (values.size() < most + POINT_LANES)
+        values.resize(most + POINT_LANES);
   }
 
-  // Fills the last LANES with points that are far from everything.
+  // Fills the last POINT_LANES with points that are far from everything.
   void pad() {
     for (size_t k = 0; k < N; k++)
-      std::fill_n(&of[k][count], LANES, k < 3 ? 1e6f : 0.0f);
+      std::fill_n(&of[k][count], POINT_LANES, k < 3 ? 1e6f : 0.0f);
   }
 };
 
-constexpr int BIN = 4; // cells along the side of a bin
+constexpr int BIN_CELLS = 4; // cells along the side of a bin
 
 // A cloud sorted by bins of cells.
 template <size_t N>
-class Bins {
+class PointBins {
 public:
-  Bins(Cloud<N> &&from, const int (&grid)[3]) {
+  PointBins(const PointCloud<N> &from, const int (&grid)[3]) {
     for (int k = 0; k < 3; k++)
-      size[k] = (grid[k] + BIN - 1) / BIN;
+      size[k] = (grid[k] + BIN_CELLS - 1) / BIN_CELLS;
     first.assign(size_t(size[0]) * size_t(size[1]) * size_t(size[2]) + 1, 0);
     std::vector<uint32_t> bin(from.count);
     for (size_t i = 0; i < from.count; i++) {
@@ -81,7 +81,7 @@ public:
   }
 
   // What is within a ball around c, relative to c.
-  void gather(const float (&c)[3], float radius, Cloud<N> &near) {
+  void gather(const float (&c)[3], float radius, PointCloud<N> &near) {
     int from[3], to[3];
     for (int k = 0; k < 3; k++) {
       from[k] = of(c[k] - radius, k);
@@ -111,7 +111,7 @@ public:
 
 private:
   // Points beyond the grid are in its outermost bins.
-  int of(float x, int axis) const { return std::clamp(int(x * (1.0f / BIN)), 0, size[axis] - 1); }
+  int of(float x, int axis) const { return std::clamp(int(x * (1.0f / BIN_CELLS)), 0, size[axis] - 1); }
   size_t index(int x, int y, int z) const {
     return (size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x);
   }
@@ -125,7 +125,7 @@ private:
 
   int size[3];
   std::vector<uint32_t> first;
-  Cloud<N> all;
+  PointCloud<N> all;
   std::vector<uint32_t> found; // by the last search
 };
 

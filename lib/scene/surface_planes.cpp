@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "scene/octahedral_normal.hpp"
 #include "scene/point_bins.hpp"
@@ -42,8 +41,8 @@ public:
 
   std::vector<uint32_t> codes() {
     cut_triangles();
-    Bins<6> patches(mean_patches(), size);
-    Bins<PIECE> surface(std::move(pieces), size);
+    PointBins<6> patches(mean_patches(), size);
+    PointBins<PIECE> surface(pieces, size);
     for (int i = 0; i < TYN_CLEAR_REACHES; i++) {
       const float r = TYN_CLEAR_REACH_STEP * float(i + 1) * 1.002f + margin; // directions' lengths are 1 within 1e-3
       reach[i] = r;
@@ -96,9 +95,9 @@ private:
   }
 
   // The pieces of each cell together, for there may be many: where they are on average, and the sum of their normals.
-  Cloud<6> mean_patches() {
+  PointCloud<6> mean_patches() {
     std::vector<uint32_t> patch_of(squared.size(), TYN_NONE);
-    Cloud<6> patches;
+    PointCloud<6> patches;
     std::vector<float> count;
     for (size_t i = 0; i < pieces.count; i++) {
       int at[3];
@@ -120,7 +119,7 @@ private:
     return patches;
   }
 
-  void add_brick(int x, int y, int z, Bins<PIECE> &surface, Bins<6> &patches, std::vector<uint32_t> &result) {
+  void add_brick(int x, int y, int z, PointBins<PIECE> &surface, PointBins<6> &patches, std::vector<uint32_t> &result) {
     const int end[3] = {std::min(x + BRICK, size[0]), std::min(y + BRICK, size[1]), std::min(z + BRICK, size[2])};
     bool gathered = false, has_pieces = false;
     const float c[3] = {float(x) + 0.5f * BRICK, float(y) + 0.5f * BRICK, float(z) + 0.5f * BRICK};
@@ -149,19 +148,21 @@ private:
     const float *of[6];
     for (size_t k = 0; k < 6; k++)
       of[k] = near_patches.of[k].data();
-    Lanes nx{}, ny{}, nz{}, height{};
-    for (size_t i = 0; i < near_patches.count; i += LANES) {
-      const Lanes px = load(of[0] + i) - c[0], py = load(of[1] + i) - c[1], pz = load(of[2] + i) - c[2];
-      const Lanes rest = 1.0f - (px * px + py * py + pz * pz) * (1 / (BLUR * BLUR)),
-                  kept = rest > 0.0f ? rest : Lanes{};
-      const Lanes weight = kept * kept;
-      const Lanes x = weight * load(of[3] + i), y = weight * load(of[4] + i), z = weight * load(of[5] + i);
+    Float4 nx{}, ny{}, nz{}, height{};
+    for (size_t i = 0; i < near_patches.count; i += POINT_LANES) {
+      const Float4 px = load_float4(of[0] + i) - c[0], py = load_float4(of[1] + i) - c[1],
+                   pz = load_float4(of[2] + i) - c[2];
+      const Float4 rest = 1.0f - (px * px + py * py + pz * pz) * (1 / (BLUR * BLUR)),
+                   kept = rest > 0.0f ? rest : Float4{};
+      const Float4 weight = kept * kept;
+      const Float4 x = weight * load_float4(of[3] + i), y = weight * load_float4(of[4] + i),
+                   z = weight * load_float4(of[5] + i);
       nx += x, ny += y, nz += z;
       height += x * px + y * py + z * pz;
     }
-    mean = {double(sum(nx)), double(sum(ny)), double(sum(nz))};
+    mean = {double(lane_sum(nx)), double(lane_sum(ny)), double(lane_sum(nz))};
     const float size_of_mean = float(length(mean));
-    return size_of_mean > 0 && sum(height) >= OUTSIDE * size_of_mean;
+    return size_of_mean > 0 && lane_sum(height) >= OUTSIDE * size_of_mean;
   }
 
   uint32_t code(int x, int y, int z, const float (&from)[3], const OctahedralNormal &normal) const {
@@ -171,7 +172,8 @@ private:
     int best = -1;
     float most = -1;
     for (int i = 0; i < TYN_CLEAR_REACHES; i++) {
-      const float worth = limits.front[i] + GIVEN_UP * TYN_CLEAR_REACH_STEP * float(i);
+      // of a ball without surface the whole is clear
+      const float worth = std::min(limits.front[i], reach[i]) + GIVEN_UP * TYN_CLEAR_REACH_STEP * float(i);
       if (limits.front[i] > -0.5f && worth > most) {
         most = worth;
         best = i;
@@ -190,20 +192,22 @@ private:
     const float *of[PIECE];
     for (size_t k = 0; k < PIECE; k++)
       of[k] = near_pieces.of[k].data();
-    Lanes least[TYN_CLEAR_REACHES];
-    const Lanes far = Lanes{} + FAR;
-    for (Lanes &lanes : least)
+    Float4 least[TYN_CLEAR_REACHES];
+    const Float4 far = Float4{} + FAR;
+    for (Float4 &lanes : least)
       lanes = far;
-    for (size_t i = 0; i < near_pieces.count; i += LANES) {
-      const Lanes px = load(of[0] + i) - c[0], py = load(of[1] + i) - c[1], pz = load(of[2] + i) - c[2];
-      const Lanes distance = px * px + py * py + pz * pz, radius = load(of[6] + i);
+    for (size_t i = 0; i < near_pieces.count; i += POINT_LANES) {
+      const Float4 px = load_float4(of[0] + i) - c[0], py = load_float4(of[1] + i) - c[1],
+                   pz = load_float4(of[2] + i) - c[2];
+      const Float4 distance = px * px + py * py + pz * pz, radius = load_float4(of[6] + i);
       auto corner = [&](size_t k) {
-        return n.x * load(of[k] + i) + n.y * load(of[k + 1] + i) + n.z * load(of[k + 2] + i);
+        return n.x * load_float4(of[k] + i) + n.y * load_float4(of[k + 1] + i) + n.z * load_float4(of[k + 2] + i);
       };
-      const Lanes along = n.x * px + n.y * py + n.z * pz + lower(corner(7), lower(corner(10), corner(13)));
+      const Float4 along =
+          n.x * px + n.y * py + n.z * pz + lane_minimum(corner(7), lane_minimum(corner(10), corner(13)));
       for (int k = 0; k < TYN_CLEAR_REACHES; k++) {
-        const Lanes touches = radius + reach[k];
-        least[k] = lower(least[k], distance <= touches * touches ? along : far);
+        const Float4 touches = radius + reach[k];
+        least[k] = lane_minimum(least[k], distance <= touches * touches ? along : far);
       }
     }
     Limits limits;
@@ -243,9 +247,9 @@ private:
   float extent[3]; // of the bounds; the last cells may reach beyond
   float reach[TYN_CLEAR_REACHES];
   float largest = 0; // radius of a piece
-  Cloud<PIECE> pieces;
-  Cloud<PIECE> near_pieces;
-  Cloud<6> near_patches;
+  PointCloud<PIECE> pieces;
+  PointCloud<PIECE> near_pieces;
+  PointCloud<6> near_patches;
 };
 
 } // namespace

@@ -3,7 +3,6 @@
 // Vectors in double, for what is measured on the host.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "scene/scene.hpp"
@@ -22,13 +21,6 @@ inline double length(const Double3 &v) { return std::sqrt(dot(v, v)); }
 
 inline Double3 cross(const Double3 &a, const Double3 &b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-inline double longest_side(const TynMeshRecord &record) {
-  double longest = 0;
-  for (int k = 0; k < 3; k++)
-    longest = std::max(longest, double(record.upper[k]) - double(record.lower[k]));
-  return longest;
 }
 
 // Along the normal of a triangle, twice as long as its area.

@@ -35,7 +35,6 @@ TynWalkParameters walk_parameters(const TynScene &scene, const TynWalkOptions &o
   parameters.roulette_threshold = options.roulette_off ? 0.0f : options.roulette_threshold;
   parameters.mesh_count = static_cast<uint32_t>(scene.mesh_records.size());
   parameters.medium_count = static_cast<uint32_t>(scene.medium_records.size());
-  parameters.triangle_count = scene.triangle_count;
   return parameters;
 }
 

@@ -8,8 +8,8 @@
 
 namespace tyn {
 
-// The kernel's parameters for entries of `scene`, from options that have been checked. `count` and `slice` are left to
-// enqueue_walk.
+// The kernel's parameters for entries of `scene`, from options that have been checked. The number of entries and what
+// the caller's winding means are set by whoever enqueues them.
 TynWalkParameters walk_parameters(const TynScene &scene, const TynWalkOptions &options);
 
 // Enqueues walks for parameters.count entries. Does not wait. The buffers hold as many TynWalkEntry, TynWalkExit, TynWalkTally.

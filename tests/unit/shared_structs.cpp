@@ -84,7 +84,7 @@ const Layout &host_layout() {
       FIELD(TynWalkParameters, seed), FIELD(TynWalkParameters, first_path),
       FIELD(TynWalkParameters, count), FIELD(TynWalkParameters, max_scatterings),
       FIELD(TynWalkParameters, roulette_threshold), FIELD(TynWalkParameters, mesh_count),
-      FIELD(TynWalkParameters, medium_count), FIELD(TynWalkParameters, triangle_count),
+      FIELD(TynWalkParameters, medium_count),
       FIELD(TynWalkParameters, slice), FIELD(TynWalkParameters, callers_winding),
 
       RECORD(TynWalkTally),
@@ -276,7 +276,7 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynMeshRecord), 104u);
   EXPECT_EQ(sizeof(TynPhaseRecord), 32u);
   EXPECT_EQ(sizeof(TynMediumRecord), 48u);
-  EXPECT_EQ(sizeof(TynWalkParameters), 48u);
+  EXPECT_EQ(sizeof(TynWalkParameters), 44u);
   EXPECT_EQ(sizeof(TynWalkTally), 40u);
 }
 

@@ -29,7 +29,7 @@
  *   Release contexts before main returns: OpenCL implementations tear themselves down among the static destructors.
  * Threads
  *   Different contexts may be used at the same time. One context, with the scenes and renderers made from it, is used from
- *   one thread at a time. A committed scene is never written to. Progress callbacks arrive on the calling thread.
+ *   one thread at a time. What was put into a committed scene never changes. Progress callbacks arrive on the calling thread.
  * Environment
  *   TYNDALL_DEVICE     device index or part of its name, when the options name none
  *   TYNDALL_CACHE_DIR  folder of the compiled-kernel cache (default: $XDG_CACHE_HOME/tyndall, then ~/.cache/tyndall); empty: no
@@ -425,7 +425,7 @@ typedef struct TynLedger {
   double balance
       [3]; /* what roulette and the balance heuristic over channels removed (> 0) or added (< 0): zero on average */
   double capped[3]; /* cut by max_scatterings, or trapped (TYN_WALK_CAPPED) */
-  double leaked[3]; /* left through a hole */
+  double leaked[3]; /* left through a hole, or as TYN_WALK_LEAKED says */
   double lost[3];   /* numerically */
   uint64_t walks, escaped_walks, absorbed_walks, capped_walks, leaked_walks, lost_walks, reflected_walks;
   uint64_t scatterings;

@@ -63,7 +63,8 @@ typedef struct TynWalkEntry {
   uint32_t reserved2; /* 0 */
 } TynWalkEntry;
 
-/* How a walk ended. CAPPED: it reached the caller's max_scatterings, or it is trapped: the boundary reflected it 65536 times
+/* How a walk ended. LEAKED in a closed mesh: with ior > 1, after a reflection at the very edge of two triangles, where rounding
+ * decides what is inside; rare. CAPPED: it reached the caller's max_scatterings, or it is trapped: the boundary reflected it 65536 times
  * without a scattering event (4096 times in a medium without extinction). */
 enum {
   TYN_WALK_ESCAPED = 0,  /* left through the boundary: position, direction and weight are set */
