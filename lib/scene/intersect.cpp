@@ -3,7 +3,7 @@
 // The batch ray calls, on host pointers and on the caller's buffers.
 #include <algorithm>
 
-#include "scene/buffer_argument.hpp"
+#include "core/buffer_argument.hpp"
 #include "scene/scene.hpp"
 
 namespace tyn {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "scene/buffer_argument.hpp"
+#include "core/buffer_argument.hpp"
 #include "tyndall/tyndall_cl.h"
 #include "walk/walk.hpp"
 

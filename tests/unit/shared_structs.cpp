@@ -16,6 +16,7 @@
 #include "core/kernels.hpp"
 #include "kernels/shared.h"
 #include "kernels/shared_render.h"
+#include "kernels/shared_bssrdf.h"
 #include "kernels/shared_slab.h"
 
 namespace {
@@ -159,6 +160,20 @@ const Layout &host_layout() {
       FIELD(TynShadowRay, origin), FIELD(TynShadowRay, t_max), FIELD(TynShadowRay, direction),
       FIELD(TynShadowRay, path), FIELD(TynShadowRay, first), FIELD(TynShadowRay, first_event),
       FIELD(TynShadowRay, second), FIELD(TynShadowRay, second_event),
+
+      RECORD(TynProfileRecord),
+      FIELD(TynProfileRecord, kind),
+      FIELD(TynProfileRecord, first),
+      FIELD(TynProfileRecord, count),
+      FIELD(TynProfileRecord, chances),
+      FIELD(TynProfileRecord, length),
+      FIELD(TynProfileRecord, per_length),
+      FIELD(TynProfileRecord, per_area),
+      FIELD(TynProfileRecord, falloff),
+      FIELD(TynProfileRecord, flux),
+      FIELD(TynProfileRecord, fluence),
+      FIELD(TynProfileRecord, albedo),
+      FIELD(TynProfileRecord, chance),
 
       RECORD(TynSlabLayerRecord),
       FIELD(TynSlabLayerRecord, mean_free_path), FIELD(TynSlabLayerRecord, albedo), FIELD(TynSlabLayerRecord, g),

@@ -6,6 +6,7 @@
  *   phase     phase functions, Lorenz-Mie scattering                                          tyndall_phase.h
  *   slab      exact transport in half-spaces and layered slabs, by Monte Carlo                tyndall_slab.h
  *   exact     the solvers and closed forms that the Monte Carlo is checked against            tyndall_exact.h
+ *   bssrdf    models of subsurface light transport: profiles, albedos, sampling                 tyndall_bssrdf.h
  *   medium    coefficients, measured presets, albedo from colour
  *   scene     meshes, the media inside them, materials, lights, cameras; read-only once committed
  *   walk      the batch call: walks light through the inside of meshes
@@ -39,6 +40,7 @@
 #define TYNDALL_H
 
 #include "tyndall_base.h"
+#include "tyndall_bssrdf.h"
 #include "tyndall_exact.h"
 #include "tyndall_phase.h"
 #include "tyndall_slab.h"

@@ -38,6 +38,13 @@ TYN_API TynStatus tyn_occluded_cl(TynScene *scene, uint32_t mesh, cl_mem rays, s
 TYN_API TynStatus tyn_walk_cl(TynScene *scene, const TynWalkOptions *options, cl_mem entries, size_t count,
                               cl_mem exits, TynLedger *ledger);
 
+/* tyn_bssrdf_profile, _pdf and _sample on buffers of float. Enqueued on the context's queue; they do not wait. A radius that is
+ * not finite and > 0 gives 0. `weights`: NULL for none. */
+TYN_API TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem profile);
+TYN_API TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem pdf);
+TYN_API TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii,
+                                       cl_mem pdf, cl_mem weights);
+
 #ifdef __cplusplus
 }
 #endif

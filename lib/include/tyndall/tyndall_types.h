@@ -63,9 +63,11 @@ typedef struct TynWalkEntry {
   uint32_t reserved2; /* 0 */
 } TynWalkEntry;
 
-/* How a walk ended. LEAKED in a closed mesh: with ior > 1, after a reflection at the very edge of two triangles, where rounding
- * decides what is inside; rare. CAPPED: it reached the caller's max_scatterings, or it is trapped: the boundary reflected it 65536 times
- * without a scattering event (4096 times in a medium without extinction). */
+/* How a walk ended.
+ * LEAKED in a closed mesh: with ior > 1, after a reflection at the very edge of two triangles, where rounding decides what is
+ * inside; rare.
+ * CAPPED: it reached the caller's max_scatterings, or it is trapped: the boundary reflected it 65536 times without a scattering
+ * event (4096 times in a medium without extinction). */
 enum {
   TYN_WALK_ESCAPED = 0,  /* left through the boundary: position, direction and weight are set */
   TYN_WALK_ABSORBED = 1, /* ended by roulette, or its weight reached exactly 0 */
@@ -102,6 +104,26 @@ enum {
   TYN_PHASE_DRAINE = 4,            /* HG(g) (1 + alpha cos^2) / (1 + alpha (1 + 2 g^2) / 3) (Draine 2003, eq. 4) */
   TYN_PHASE_TABULATED = 5,         /* linear in cos between the entries of a table, which is normalized */
   TYN_PHASE_KIND_COUNT = 6
+};
+
+/* Models of the BSSRDF: see tyndall_bssrdf.h. */
+enum {
+  TYN_BSSRDF_STANDARD_DIPOLE = 0,       /* Jensen, Marschner, Levoy, Hanrahan 2001 */
+  TYN_BSSRDF_BETTER_DIPOLE = 1,         /* d'Eon 2012; without single scattering */
+  TYN_BSSRDF_PHOTON_BEAM_DIFFUSION = 2, /* Habel, Christensen, Jarosz 2013; single scattering included */
+  TYN_BSSRDF_MULTIPOLE = 3,             /* Donner & Jensen 2005; one layer of any thickness */
+  TYN_BSSRDF_NORMALIZED_DIFFUSION = 4,  /* Christensen & Burley 2015 */
+  TYN_BSSRDF_GAUSSIANS = 5,             /* the caller's */
+  TYN_BSSRDF_SINGLE_SCATTERING = 6,     /* Hanrahan & Krueger 1993; the top layer's alone */
+  TYN_BSSRDF_MODEL_COUNT = 7
+};
+
+/* What the fit of normalized diffusion was made for (Christensen & Burley 2015). */
+enum {
+  TYN_NORMALIZED_SEARCHLIGHT = 0, /* light that arrives perpendicularly; radii in mean free paths */
+  TYN_NORMALIZED_DIFFUSE = 1,     /* diffuse light; radii in mean free paths */
+  TYN_NORMALIZED_DMFP = 2,        /* perpendicular light; radii in diffuse mean free paths */
+  TYN_NORMALIZED_FIT_COUNT = 3
 };
 
 /* How light arrives. */

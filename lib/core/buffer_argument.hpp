@@ -17,7 +17,7 @@ inline void require_buffer(const TynContext &context, const char *name, cl_mem b
       clGetMemObjectInfo(buffer, CL_MEM_CONTEXT, sizeof owner, &owner, nullptr) != CL_SUCCESS)
     fail(TYN_ERROR_INVALID_ARGUMENT, "%s is not a buffer", name);
   if (owner != context.cl)
-    fail(TYN_ERROR_INVALID_ARGUMENT, "%s belongs to another cl_context than the scene's", name);
+    fail(TYN_ERROR_INVALID_ARGUMENT, "%s belongs to another cl_context than the object's", name);
   if (__builtin_mul_overflow(count, element, &needed) || bytes < needed)
     fail(TYN_ERROR_INVALID_ARGUMENT, "%s has %zu bytes; %zu elements of %zu bytes do not fit", name, bytes, count,
          element);

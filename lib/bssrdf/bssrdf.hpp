@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// A prepared model: its profiles, and what the kernels read of them.
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "bssrdf/profile.hpp"
+#include "core/context.hpp"
+#include "tyndall/tyndall_bssrdf.h"
+
+struct TynBssrdf {
+  TynBssrdf(TynContext &context, std::vector<tyn::Profile> profiles);
+  ~TynBssrdf() = default;
+  void retain();
+  void release();
+
+  uint32_t channels() const { return uint32_t(profiles.size()); }
+
+  TynContext &context; // retained
+  const std::vector<tyn::Profile> profiles;
+  tyn::Buffer records; // TynProfileRecord of each channel
+  tyn::Buffer terms;   // float: the terms of all channels, and their chances
+
+private:
+  std::atomic<uint32_t> references{1};
+};
+
+namespace tyn {
+
+// Throws INVALID_ARGUMENT.
+std::vector<Profile> prepare_profiles(const TynSlab *slab, const TynBssrdfOptions *options);
+
+} // namespace tyn

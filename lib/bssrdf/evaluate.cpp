@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// The batch calls: on host pointers, batch by batch to the device and back, and on the caller's buffers.
+#include <algorithm>
+#include <vector>
+
+#include "bssrdf/bssrdf.hpp"
+#include "core/argument.hpp"
+#include "core/buffer_argument.hpp"
+#include "tyndall/tyndall_cl.h"
+
+namespace tyn {
+namespace {
+
+constexpr size_t MOST = size_t(1) << 20; // values in flight
+
+void require_radii(const float *radii, size_t count) {
+  require_pointer("radii", radii);
+  for (size_t i = 0; i < count; i++)
+    if (!(radii[i] > 0 && std::isfinite(radii[i])))
+      fail(TYN_ERROR_INVALID_ARGUMENT, "radii[%zu] is %g; it must be finite and > 0", i, double(radii[i]));
+}
+
+// Batches of what fits the memory, each with `values` floats an element.
+size_t batch_size(const TynContext &context, size_t count, size_t values) {
+  const uint64_t fits = std::min(context.memory_available(), context.largest_buffer()) / (values * sizeof(float));
+  const uint64_t batch = std::min<uint64_t>({count, std::max<uint64_t>(MOST / values, 1), fits});
+  if (batch == 0)
+    fail(TYN_ERROR_OUT_OF_MEMORY, "the memory limit leaves %llu bytes of device memory: not enough for one radius",
+         static_cast<unsigned long long>(context.memory_available()));
+  return size_t(batch);
+}
+
+size_t item_count(const TynContext &context, size_t count) {
+  const size_t row = TYN_BSSRDF_ROW * context.lanes();
+  return (count + row - 1) / row;
+}
+
+template <class F>
+void for_batches(size_t count, size_t batch, F &&f) {
+  for (size_t first = 0; first < count; first += batch)
+    f(first, std::min(batch, count - first));
+}
+
+// `kernel`: bssrdf_profile or bssrdf_density.
+void launch(TynBssrdf &bssrdf, const char *kernel, cl_mem radii, size_t count, cl_mem values) {
+  bssrdf.context.launch("bssrdf", kernel, item_count(bssrdf.context, count), 1, bssrdf.records, bssrdf.terms,
+                        bssrdf.channels(), radii, cl_ulong(count), values);
+}
+
+void launch_sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii, cl_mem pdf,
+                   cl_mem weights) {
+  // a kernel has to be given a buffer, also where it is not used
+  bssrdf.context.launch("bssrdf", "bssrdf_sample", item_count(bssrdf.context, count), 1, bssrdf.records, bssrdf.terms,
+                        bssrdf.channels(), uint32_t(seed), uint32_t(seed >> 32), cl_ulong(first), cl_ulong(count),
+                        radii, pdf, weights ? weights : pdf, uint32_t(weights != nullptr));
+}
+
+// What a kernel makes of radii: `rows` values of each.
+void evaluate(TynBssrdf &bssrdf, const char *kernel, const float *radii, size_t count, uint32_t rows, float *values) {
+  TynContext &context = bssrdf.context;
+  const size_t batch = batch_size(context, count, 1 + size_t(rows));
+  Buffer in(context, batch * sizeof(float), CL_MEM_READ_ONLY), out(context, batch * rows * sizeof(float));
+  for_batches(count, batch, [&](size_t first, size_t size) {
+    context.write(in, radii + first, size * sizeof(float));
+    launch(bssrdf, kernel, in.get(), size, out.get());
+    for (uint32_t row = 0; row < rows; row++)
+      context.read(out, values + row * count + first, size * sizeof(float), row * size * sizeof(float));
+  });
+}
+
+void sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first_sample, size_t count, float *radii, float *pdf,
+            float *weights) {
+  TynContext &context = bssrdf.context;
+  const uint32_t rows = weights ? bssrdf.channels() : 0;
+  const size_t batch = batch_size(context, count, 2 + size_t(rows));
+  Buffer radius_buffer(context, batch * sizeof(float)), pdf_buffer(context, batch * sizeof(float));
+  Buffer weight_buffer(context, batch * rows * sizeof(float));
+  for_batches(count, batch, [&](size_t first, size_t size) {
+    launch_sample(bssrdf, seed, first_sample + first, size, radius_buffer.get(), pdf_buffer.get(),
+                  rows ? weight_buffer.get() : nullptr);
+    context.read(radius_buffer, radii + first, size * sizeof(float));
+    context.read(pdf_buffer, pdf + first, size * sizeof(float));
+    for (uint32_t row = 0; row < rows; row++)
+      context.read(weight_buffer, weights + row * count + first, size * sizeof(float), row * size * sizeof(float));
+  });
+}
+
+void require_float_buffer(TynBssrdf &bssrdf, const char *name, cl_mem buffer, size_t count) {
+  require_buffer(bssrdf.context, name, buffer, count, sizeof(float));
+}
+
+} // namespace
+} // namespace tyn
+
+TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_radii(radii, count);
+    tyn::require_pointer("profile", profile);
+    tyn::evaluate(*bssrdf, "bssrdf_profile", radii, count, bssrdf->channels(), profile);
+  });
+}
+
+TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t count, float *pdf) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_radii(radii, count);
+    tyn::require_pointer("pdf", pdf);
+    tyn::evaluate(*bssrdf, "bssrdf_density", radii, count, 1, pdf);
+  });
+}
+
+TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, float *radii, float *pdf,
+                            float *weights) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_pointer("radii", radii);
+    tyn::require_pointer("pdf", pdf);
+    tyn::sample(*bssrdf, seed, first, count, radii, pdf, weights);
+  });
+}
+
+TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem profile) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
+    tyn::require_float_buffer(*bssrdf, "profile", profile, count * bssrdf->channels());
+    tyn::launch(*bssrdf, "bssrdf_profile", radii, count, profile);
+    bssrdf->context.flush();
+  });
+}
+
+TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem pdf) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
+    tyn::require_float_buffer(*bssrdf, "pdf", pdf, count);
+    tyn::launch(*bssrdf, "bssrdf_density", radii, count, pdf);
+    bssrdf->context.flush();
+  });
+}
+
+TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii, cl_mem pdf,
+                               cl_mem weights) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return tyn::guarded(&bssrdf->context, [&] {
+    if (count == 0)
+      return;
+    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
+    tyn::require_float_buffer(*bssrdf, "pdf", pdf, count);
+    if (weights)
+      tyn::require_float_buffer(*bssrdf, "weights", weights, count * bssrdf->channels());
+    tyn::launch_sample(*bssrdf, seed, first, count, radii, pdf, weights);
+    bssrdf->context.flush();
+  });
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bssrdf/integrate.hpp"
+
+#include <cmath>
+
+#include "slab/gauss.hpp"
+
+namespace tyn {
+namespace {
+
+constexpr double TOLERANCE = 1e-10;
+constexpr int DEEPEST = 20;
+
+double gauss(const std::function<double(double)> &f, double a, double b) {
+  static const Quadrature rule = gauss_legendre(16);
+  double sum = 0;
+  for (size_t i = 0; i < rule.points.size(); i++)
+    sum += rule.weights[i] * f(a + (b - a) * rule.points[i]);
+  return sum * (b - a);
+}
+
+double refine(const std::function<double(double)> &f, double a, double b, double whole, int depth) {
+  const double middle = 0.5 * (a + b), left = gauss(f, a, middle), right = gauss(f, middle, b);
+  if (depth == DEEPEST || !(std::abs(left + right - whole) > TOLERANCE * std::abs(left + right)))
+    return left + right;
+  return refine(f, a, middle, left, depth + 1) + refine(f, middle, b, right, depth + 1);
+}
+
+} // namespace
+
+double integrate(const std::function<double(double)> &f, double a, double b) {
+  return refine(f, a, b, gauss(f, a, b), 0);
+}
+
+} // namespace tyn

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+namespace tyn {
+
+// int f(x) dx from a to b of a smooth function, to about 1e-10 of its size (Gauss-Legendre with 16 points; halved where two
+// halves disagree with the whole).
+double integrate(const std::function<double(double)> &f, double a, double b);
+
+} // namespace tyn

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// From a slab and options to profiles: checks, then the model's own work for each channel.
+#include <cmath>
+
+#include "bssrdf/bssrdf.hpp"
+#include "bssrdf/model.hpp"
+#include "core/input.hpp"
+
+namespace tyn {
+namespace {
+
+void require_gaussians(const TynBssrdfOptions &options, uint32_t channels) {
+  if (options.gaussian_count < 1 || options.gaussian_count > 64)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "gaussian_count is %u; it must be in 1 .. 64", options.gaussian_count);
+  require_pointer("gaussian_weights", options.gaussian_weights);
+  require_pointer("gaussian_variances", options.gaussian_variances);
+  for (uint32_t c = 0; c < channels; c++) {
+    double sum = 0;
+    for (uint32_t i = c * options.gaussian_count; i < (c + 1) * options.gaussian_count; i++) {
+      require_not_negative(format("gaussian_weights[%u]", i).c_str(), options.gaussian_weights[i]);
+      require_positive(format("gaussian_variances[%u]", i).c_str(), options.gaussian_variances[i]);
+      sum += options.gaussian_weights[i];
+    }
+    if (!(sum <= 1 + 1e-6))
+      fail(TYN_ERROR_INVALID_ARGUMENT, "gaussian_weights add up to %g in channel %u; they must add up to at most 1",
+           sum, c);
+  }
+}
+
+void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, const Slab &slab) {
+  if (slab.layers.size() != 1)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "layer_count is %zu; the model %s takes 1 layer", slab.layers.size(), model.name);
+  if (!model.takes_slabs && !std::isinf(slab.layers[0].thickness))
+    fail(TYN_ERROR_INVALID_ARGUMENT, "layers[0].thickness is %g; the model %s is for half-spaces: it must be INFINITY",
+         slab.layers[0].thickness, model.name);
+  if (options.model == TYN_BSSRDF_GAUSSIANS)
+    return;
+  const double ior = slab.layers[0].ior;
+  for (const double outside : {slab.ior_above, std::isinf(slab.layers[0].thickness) ? 1.0 : slab.ior_below})
+    if (ior < outside)
+      fail(TYN_ERROR_INVALID_ARGUMENT,
+           "layers[0].ior is %g, below the %g outside, which the model %s has no boundary for", ior, outside,
+           model.name);
+}
+
+} // namespace
+
+std::vector<Profile> prepare_profiles(const TynSlab *given_slab, const TynBssrdfOptions *given) {
+  const TynBssrdfOptions options = read_struct("TynBssrdfOptions", given, tyn_bssrdf_options());
+  const BssrdfModel *model = find_model(options.model);
+  if (!model)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "model is %u; models are 0 .. %u: %s", options.model, TYN_BSSRDF_MODEL_COUNT - 1,
+         model_names().c_str());
+  require_choice("fit", options.fit, TYN_NORMALIZED_FIT_COUNT);
+  require_choice("transmitted", options.transmitted, 2);
+  const Slab slab = read_slab(given_slab);
+  require_slab(*model, options, slab);
+  if (options.model == TYN_BSSRDF_GAUSSIANS)
+    require_gaussians(options, slab.channels);
+  std::vector<Profile> profiles;
+  for (uint32_t c = 0; c < slab.channels; c++)
+    profiles.push_back(model->prepare({slab, options, c}));
+  return profiles;
+}
+
+} // namespace tyn

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// The source term of Hanrahan & Krueger 1993, not yet integrated over where the light leaves: of a beam that goes straight
+// down, what is scattered at depth z towards a point of the surface, along the way s = sqrt(r^2 + z^2),
+//   R(r) = int_0^d sigma_s exp(-sigma_t (z + s)) p(-z / s) (1 - F(z / s)) z / s^3 dz.
+// Integrated over the angle instead, this is Seeliger's law.
+#include "bssrdf/single_scattering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bssrdf/integrate.hpp"
+#include "media/fresnel.hpp"
+#include "media/phase.hpp"
+
+namespace tyn {
+
+SingleScattering::SingleScattering(const BssrdfInput &input)
+    : sigma_s(input.sigma_s()), sigma_t(input.sigma_a() + input.sigma_s()), eta(input.ior()),
+      thickness(input.top().thickness), phase(phase_density(input.top().phase)) {}
+
+// Over the angle from the normal, z = r / tan(angle): z / s^3 dz = cos(angle) / r dangle. Light that is reflected totally, and
+// what would come from below the layer, is beyond the limits of the angle.
+double SingleScattering::exitance(double r) const {
+  if (sigma_s == 0)
+    return 0;
+  const double steepest = std::isinf(thickness) ? 0 : std::atan2(r, thickness);
+  const double flattest = eta > 1 ? std::asin(1 / eta) : std::asin(1.0);
+  auto part = [&](double angle) {
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    if (!(sine > 0))
+      return 0.0;
+    return std::exp(-sigma_t * r / sine * (1 + cosine)) * phase(-cosine) * (1 - fresnel_reflectance(cosine, 1 / eta)) *
+           cosine;
+  };
+  if (!(steepest < flattest))
+    return 0;
+  // F has a square root at the critical angle; a substitution takes it away
+  auto smooth = [&](double t) {
+    return part(flattest - (flattest - steepest) * t * t) * 2 * (flattest - steepest) * t;
+  };
+  return sigma_s / r * integrate(smooth, 0, 1);
+}
+
+Profile single_scattering(const BssrdfInput &input) {
+  const double sigma_t = input.sigma_a() + input.sigma_s();
+  if (input.sigma_s() == 0)
+    return black_profile();
+  const SingleScattering single(input);
+  const double length = 1 / sigma_t;
+  return profile_of_table(
+      length, [&](double x) { return single.exitance(x * length) * length * length; }, true, 1);
+}
+
+} // namespace tyn
