@@ -5,6 +5,7 @@
 #include "common/interrupt.hpp"
 #include "common/outputs.hpp"
 #include "common/progress.hpp"
+#include "slab/files.hpp"
 #include "slab/outputs.hpp"
 #include "slab/stack.hpp"
 
@@ -16,7 +17,6 @@ using namespace slab;
 using tool::check;
 
 constexpr const char *kName = "tyndall-slab";
-constexpr tool::ExitCode kUnwritable = tool::kBadInput; // files have one status, whichever way they are used
 
 struct Display {
   bool quiet;
@@ -32,12 +32,6 @@ int32_t on_progress(void *user, double fraction) {
     display.progress.emplace(kName, display.quiet);
   display.progress->update(state);
   return tool::interrupted();
-}
-
-void check_outputs(const Arguments &arguments) {
-  for (const std::string *file : {&arguments.csv, &arguments.plot})
-    if (!file->empty())
-      tool::check_writable(*file, kUnwritable);
 }
 
 // Runs until a limit is reached or the user has had enough; there is always a result, of one batch at least.
@@ -72,7 +66,7 @@ int body(int argc, char **argv) {
   Arguments arguments;
   if (!parse_arguments(kName, argc, argv, arguments))
     return tool::kOk;
-  check_outputs(arguments);
+  check_writable(arguments);
   const Stack stack(arguments);
   std::vector<TynAddingDoublingResult> exact;
   if (arguments.exact) // before the photons: what it refuses should not cost an hour

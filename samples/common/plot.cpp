@@ -157,8 +157,14 @@ private:
 
   void paint_entry(const LegendEntry &entry, double x, double y) {
     canvas_.set_color(entry.color);
-    set_stroke(entry.dashed, 2.0);
-    canvas_.line(x, y + 6.0, x + kSample, y + 6.0);
+    set_stroke(entry.dashed, entry.points ? 1.2 : 2.0);
+    if (entry.points) {
+      canvas_.line(x + 0.5 * kSample, y, x + 0.5 * kSample, y + 12.0);
+      cairo_arc(canvas_.get(), x + 0.5 * kSample, y + 6.0, 2.6, 0.0, 6.283185307);
+      cairo_fill(canvas_.get());
+    } else {
+      canvas_.line(x, y + 6.0, x + kSample, y + 6.0);
+    }
     canvas_.set_color(kInk);
     canvas_.text(x + kSample + kGap, y + 10.0, entry.label);
   }
@@ -270,14 +276,15 @@ private:
     canvas_.set_color(series.color);
     set_stroke(series.dashed, series.mark == Mark::kLine ? 1.6 : 1.0);
     for (const Run &run : runs(series)) {
-      for (size_t i = run.begin; i < run.end; ++i)
+      for (size_t i = run.begin; series.mark != Mark::kPoints && i < run.end; ++i)
         cairo_line_to(canvas_.get(), across(series.x[i]), limited_up(series.y[i]));
       cairo_stroke(canvas_.get());
     }
     set_stroke(false, 1.2);
-    if (series.mark == Mark::kDots)
+    if (series.mark != Mark::kLine)
       for (size_t i = 0; i < series.x.size(); ++i)
-        paint_whisker(across(series.x[i]), series, i);
+        if (is_shown(series, i))
+          paint_whisker(across(series.x[i]), series, i);
   }
 
   // Over the frame, where dots at its edge are whole; of a long line only those that no line leads to.
@@ -285,7 +292,7 @@ private:
     if (series.mark == Mark::kBars)
       return;
     canvas_.set_color(series.color);
-    const bool all = series.mark == Mark::kDots || series.x.size() <= kFewDots;
+    const bool all = series.mark != Mark::kLine || series.x.size() <= kFewDots;
     const double radius = series.x.size() > kFewDots ? 1.6 : 2.6;
     for (const Run &run : runs(series))
       for (size_t i = run.begin; (all || run.end - run.begin == 1) && i < run.end; ++i)
@@ -397,7 +404,7 @@ bool plot_available() { return true; }
 
 std::string draw_png(const Figure &figure) {
   const size_t count = std::max<size_t>(figure.panels.size(), 1);
-  const size_t columns = count == 1 ? 1 : count <= 4 ? 2 : 3;
+  const size_t columns = figure.columns ? figure.columns : count == 1 ? 1 : count <= 4 ? 2 : 3;
   const size_t rows = (count + columns - 1) / columns;
   const double each = columns == 1 ? kSingleWidth : kPanelWidth;
   const double width = static_cast<double>(columns) * each;

@@ -17,9 +17,10 @@ struct Color {
 Color distinct_color(size_t index, size_t count);
 
 enum class Mark {
-  kLine, // a line, its uncertainty as a shaded band, and dots if they are few
-  kDots, // dots with whiskers on a thin line
-  kBars  // a bar at each x, side by side with the other series' bars
+  kLine,   // a line, its uncertainty as a shaded band, and dots if they are few
+  kDots,   // dots with whiskers on a thin line
+  kPoints, // the same without the line
+  kBars    // a bar at each x, side by side with the other series' bars
 };
 
 struct Series {
@@ -43,6 +44,7 @@ struct LegendEntry {
   std::string label;
   Color color;
   bool dashed = false;
+  bool points = false; // of a series of points: one of them instead of a line
 };
 
 struct Panel {
@@ -55,7 +57,8 @@ struct Panel {
 struct Figure {
   std::string title;
   std::vector<std::string> notes; // lines below the title
-  std::vector<Panel> panels;
+  std::vector<Panel> panels;      // row by row
+  size_t columns = 0;             // 0: as many as look well
 };
 
 // Whether the tools were built with Cairo, which draws.

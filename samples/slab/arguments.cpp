@@ -3,8 +3,7 @@
 #include "slab/arguments.hpp"
 
 #include "common/help.hpp"
-#include "common/outputs.hpp"
-#include "common/plot.hpp"
+#include "slab/files.hpp"
 #include "slab/layers.hpp"
 #include "slab/parse.hpp"
 
@@ -212,21 +211,8 @@ void check_unit(const Arguments &arguments) {
     throw Error(kUsage, "--unit " + unit + " and --medium: expected mm, in which the measured media are");
 }
 
-void check_outputs(const Arguments &arguments) {
-  if (tool::same_file(arguments.csv, arguments.plot))
-    throw Error(kUsage, "--plot " + arguments.plot + ": expected another file than --csv " + arguments.csv);
-  if (arguments.plot.empty())
-    return;
-  if (!tool::has_extension(arguments.plot, ".png"))
-    throw Error(kUsage, "--plot " + arguments.plot + ": expected a name that ends in .png");
-  if (!tool::plot_available())
-    throw Error(kUsage, "--plot " + arguments.plot +
-                            ": this tyndall-slab was built without Cairo (libcairo2-dev) and cannot draw; "
-                            "--csv and --json can be plotted elsewhere");
-}
-
-void finish(const Text &text, Arguments &arguments) {
-  check_outputs(arguments);
+void finish(const char *tool_name, const Text &text, Arguments &arguments) {
+  check_files(tool_name, arguments);
   TynSlabOptions &options = arguments.options;
   const std::string index = "a refractive index from 1 to 4";
   if (!text.ior_above.empty())
@@ -260,7 +246,7 @@ bool parse_arguments(const char *tool_name, int argc, char **argv, Arguments &ar
   add_output_options(app, arguments);
   if (!tool::parse_or_answer(app, tool_name, argc, argv))
     return false;
-  finish(text, arguments);
+  finish(tool_name, text, arguments);
   return true;
 }
 

@@ -3,18 +3,11 @@
 //
 // Tidy data: every row is one value with all that says what it is, so that spreadsheets and data frames can select.
 #include "slab/bins.hpp"
+#include "slab/format.hpp"
 #include "slab/outputs.hpp"
-
-#include <charconv>
 
 namespace slab {
 namespace {
-
-// The shortest text that reads back as the same number.
-std::string exactly(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
 
 std::string interval(double lower, double upper) { return exactly(lower) + "," + exactly(upper); }
 

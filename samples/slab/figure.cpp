@@ -25,9 +25,6 @@ constexpr size_t kMostListed = 3; // channels whose totals are written out
 const Color kGray = {0.35, 0.35, 0.35};
 const Color kRed = {0.84, 0.15, 0.16}, kGreen = {0.17, 0.60, 0.17}, kBlue = {0.12, 0.40, 0.75};
 
-// A unit with a negative power.
-std::string per(const std::string &unit, int power) { return unit + "^{\xe2\x88\x92" + std::to_string(power) + "}"; }
-
 std::vector<double> centres(const std::vector<double> &edges) {
   std::vector<double> result;
   for (size_t i = 0; i + 1 < edges.size(); ++i)
@@ -49,14 +46,6 @@ double contrast(const std::vector<Series> &series) {
         largest = std::max(largest, one.y[i]);
       }
   return largest > 0.0 ? largest / smallest : 1.0;
-}
-
-// "10 000 000", with blanks at which no line is broken.
-std::string grouped(uint64_t count) {
-  std::string text = std::to_string(count);
-  for (size_t end = text.size(); end > 3; end -= 3)
-    text.insert(end - 3, "\xc2\xa0");
-  return text;
 }
 
 // One of the curves that share a panel: reflectance, transmittance, ...

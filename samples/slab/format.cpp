@@ -5,6 +5,7 @@
 #include "common/table.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -20,5 +21,19 @@ std::string with_error(double value, double error, const char *sign) {
   std::snprintf(text, sizeof text, "%.*f%s%.*f", decimals, value, sign, decimals, error);
   return text;
 }
+
+std::string exactly(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string grouped(uint64_t count) {
+  std::string text = std::to_string(count);
+  for (size_t end = text.size(); end > 3; end -= 3)
+    text.insert(end - 3, "\xc2\xa0");
+  return text;
+}
+
+std::string per(const std::string &unit, int power) { return unit + "^{\xe2\x88\x92" + std::to_string(power) + "}"; }
 
 } // namespace slab
