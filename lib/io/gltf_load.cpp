@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // tyn_gltf_load: everything is read and checked before the first thing is added.
+#include <algorithm>
 #include <cinttypes>
+#include <cmath>
 
 #include "io/gltf_scene.hpp"
 
@@ -54,20 +56,22 @@ Indices add_materials(TynScene *scene, const std::vector<Named<TynMaterial>> &ma
   return indices;
 }
 
-// Below this fraction of a mesh's size, flights come near to what single precision resolves in it.
+// Below this fraction of a mesh's largest coordinate (of its diagonal, if that is larger), flights come near to what single
+// precision resolves there.
 constexpr double SHORT_FLIGHTS = 1e-5;
 
-// Of the channel that goes least far, as a fraction of the mesh's diagonal.
+// Of the channel that goes least far, as such a fraction.
 double shortest_mean_free_path(TynScene *scene, const TynMeshInfo &info) {
   TynMedium medium = tyn_medium();
   require_ok(tyn_scene_context(scene), tyn_scene_medium(scene, info.medium, &medium));
-  double densest = 0, squared = 0;
+  double densest = 0, squared = 0, farthest = 0;
   for (int i = 0; i < 3; i++) {
+    farthest = std::max({farthest, std::fabs(double(info.lower[i])), std::fabs(double(info.upper[i]))});
     const double side = double(info.upper[i]) - double(info.lower[i]);
     densest = std::max(densest, double(medium.sigma_a[i]) + double(medium.sigma_s[i]));
     squared += side * side;
   }
-  return 1 / (densest * std::sqrt(squared));
+  return 1 / (densest * std::max(std::sqrt(squared), farthest));
 }
 
 void warn_if_unsound(TynScene *scene, uint32_t index, const LoadedMesh &loaded, Warnings &warnings) {
@@ -91,8 +95,8 @@ void warn_if_unsound(TynScene *scene, uint32_t index, const LoadedMesh &loaded, 
   const double fraction = shortest_mean_free_path(scene, info);
   if (fraction < SHORT_FLIGHTS)
     warnings.add(
-        "mesh \"%s\": the mean free path of its medium is %.2g of its diagonal, too short for single precision "
-        "(%g) and slow",
+        "mesh \"%s\": the mean free path of its medium is %.2g of its size or distance from the origin, too short for "
+        "single precision (%g) and slow",
         name.c_str(), fraction, SHORT_FLIGHTS);
 }
 

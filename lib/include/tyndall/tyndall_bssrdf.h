@@ -6,7 +6,9 @@
  * models here have is the profile R(r): the radiant exitance at distance r from a point where light gets in perpendicularly,
  * per unit of power that gets in, 1/length^2. Its integral over the plane, int 2 pi r R(r) dr, is the albedo: the fraction of that
  * light that comes back scattered. (Of light that arrives, the surface's Fresnel reflection does not get in.)
- * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations.
+ * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations. None keeps energy
+ * by itself: photon beam diffusion's albedo is 1.09 for a white, index-matched medium, and SINGLE_SCATTERING lacks what boundaries
+ * send back inside.
  *
  * Media are those of tyndall_slab.h. A half-space is a TynSlab of one infinite layer; MULTIPOLE, GAUSSIANS and SINGLE_SCATTERING
  * take one layer of any thickness. N spectral channels, each with a profile of its own.
