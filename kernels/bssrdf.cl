@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Profiles of BSSRDF models in bulk: values, radii, densities. A work-item has a row of TYN_BSSRDF_ROW x TYN_LANES radii; results of
-// several channels are stored channel by channel.
+// Profiles of BSSRDF models in bulk: values, radii, densities. A work-item has a row of TYN_BSSRDF_ROW x TYN_LANES radii;
+// results of several channels are stored channel by channel.
 #include "bssrdf_profile.clh"
 #include "bssrdf_sample.clh"
 #include "random.clh"
@@ -24,7 +24,8 @@ static void store_lanes(global float *values, size_t first, ulong count, LaneFlo
       values[first + (size_t)lane] = x.lane[lane];
 }
 
-// Density of the radii that bssrdf_sample draws: channels are drawn in proportion to their albedos. 0 for r that is not above 0.
+// Density of the radii that bssrdf_sample draws: channels are drawn in proportion to their albedos. 0 for r that is not above
+// 0.
 static LaneFloat mixed_density(global const TynProfileRecord *records, global const float *terms, uint channels,
                                LaneFloat radius) {
   LaneFloat density = (LaneFloat)(0.0f);

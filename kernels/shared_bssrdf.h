@@ -13,8 +13,9 @@
 //                 g(d) = (1 + falloff d) exp(-falloff d) / d^3, h(d) = exp(-falloff d) / d
 //   GAUSSIANS     groups (a, b): a exp(-b x^2)
 //   EXPONENTIALS  no terms: flux (exp(-x) + exp(-x / 3)) / x
-//   TABLE         groups (ln(R / flux), its slope by x) at the borders of the sampler's cells below, joined by cubics in x; below
-//                 the first border R is as there or, if fluence is 1, falls like 1 / x; beyond the last like x^-3 exp(-falloff x)
+//   TABLE         groups (ln(R / flux), its slope by x) at the borders of the sampler's cells below, joined by cubics in x;
+// below                 the first border R is as there or, if fluence is 1, falls like 1 / x; beyond the last like x^-3
+// exp(-falloff x)
 #define TYN_PROFILE_PAIRS 0u
 #define TYN_PROFILE_GAUSSIANS 1u
 #define TYN_PROFILE_EXPONENTIALS 2u

@@ -18,7 +18,8 @@ ReducedMedium reduced(const SlabLayer &layer, uint32_t channel) {
   return medium;
 }
 
-// Below the critical cosine all is reflected; above it F has a square root, which mu = critical + (1 - critical) t^2 takes away.
+// Below the critical cosine all is reflected; above it F has a square root, which mu = critical + (1 - critical) t^2 takes
+// away.
 FresnelMoments fresnel_moments(double eta) {
   const double critical = eta > 1 ? std::sqrt((1 - 1 / eta) * (1 + 1 / eta)) : 0;
   auto moment = [&](int power) {
@@ -32,7 +33,8 @@ FresnelMoments fresnel_moments(double eta) {
 }
 
 double internal_reflection_fit(double eta) {
-  const double f_dr = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
+  const double fit = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
+  const double f_dr = eta <= 2 ? fit : 2 * fresnel_moments(eta).c1;
   return (1 + f_dr) / (1 - f_dr);
 }
 

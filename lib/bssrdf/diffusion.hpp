@@ -16,8 +16,8 @@ struct ReducedMedium {
 
 ReducedMedium reduced(const SlabLayer &layer, uint32_t channel);
 
-// Moments of what a boundary reflects of light from inside: c1 = int_0^1 F(mu) mu dmu, c2 = int_0^1 F(mu) mu^2 dmu. `eta`: index
-// inside over index outside, > 0. By quadrature, where d'Eon & Irving 2011 have polynomials that are fitted to them.
+// Moments of what a boundary reflects of light from inside: c1 = int_0^1 F(mu) mu dmu, c2 = int_0^1 F(mu) mu^2 dmu. `eta`:
+// index inside over index outside, > 0. By quadrature, where d'Eon & Irving 2011 have polynomials that are fitted to them.
 struct FresnelMoments {
   double c1, c2;
 };
@@ -25,6 +25,7 @@ struct FresnelMoments {
 FresnelMoments fresnel_moments(double eta);
 
 // A = (1 + F_dr) / (1 - F_dr) of Jensen et al. 2001 with the fit of F_dr by Egan & Hilgeman 1979 that they use; eta >= 1.
+// Beyond 2, where the fit goes wrong (above 3.8 it exceeds 1), F_dr = 2 c1.
 double internal_reflection_fit(double eta);
 
 // The exitance of a fluence phi and a flux E . n at the surface is C_phi phi + C_E E . n; light seems to vanish at the distance

@@ -10,7 +10,7 @@ namespace tyn {
 namespace {
 
 constexpr double TOLERANCE = 1e-10;
-constexpr int DEEPEST = 20;
+constexpr int DEEPEST = 12;
 
 double gauss(const std::function<double(double)> &f, double a, double b) {
   static const Quadrature rule = gauss_legendre(16);

@@ -43,5 +43,6 @@ Profile multipole(const BssrdfInput &input);
 Profile normalized_diffusion(const BssrdfInput &input);
 Profile gaussians(const BssrdfInput &input);
 Profile single_scattering(const BssrdfInput &input);
+Profile quantized_diffusion(const BssrdfInput &input);
 
 } // namespace tyn

@@ -16,6 +16,7 @@ const BssrdfModel models[] = {
     {"normalized-diffusion", false, normalized_diffusion},
     {"gaussians", true, gaussians},
     {"single-scattering", true, single_scattering},
+    {"quantized-diffusion", false, quantized_diffusion},
 };
 static_assert(sizeof models / sizeof models[0] == TYN_BSSRDF_MODEL_COUNT, "a row for each TYN_BSSRDF_*");
 

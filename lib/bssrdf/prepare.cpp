@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 // From a slab and options to profiles: checks, then the model's own work for each channel.
+#include <algorithm>
 #include <cmath>
 
 #include "bssrdf/bssrdf.hpp"
@@ -16,16 +17,28 @@ void require_gaussians(const TynBssrdfOptions &options, uint32_t channels) {
   require_pointer("gaussian_weights", options.gaussian_weights);
   require_pointer("gaussian_variances", options.gaussian_variances);
   for (uint32_t c = 0; c < channels; c++) {
-    double sum = 0;
+    double sum = 0, least = INFINITY, largest = 0;
     for (uint32_t i = c * options.gaussian_count; i < (c + 1) * options.gaussian_count; i++) {
       require_not_negative(format("gaussian_weights[%u]", i).c_str(), options.gaussian_weights[i]);
       require_positive(format("gaussian_variances[%u]", i).c_str(), options.gaussian_variances[i]);
       sum += options.gaussian_weights[i];
+      least = std::min(least, options.gaussian_variances[i]);
+      largest = std::max(largest, options.gaussian_variances[i]);
     }
+    if (largest > 1e20 * least)
+      fail(TYN_ERROR_INVALID_ARGUMENT, "gaussian_variances range from %g to %g in channel %u; at most a factor of 1e20",
+           least, largest, c);
     if (!(sum <= 1 + 1e-6))
       fail(TYN_ERROR_INVALID_ARGUMENT, "gaussian_weights add up to %g in channel %u; they must add up to at most 1",
            sum, c);
   }
+}
+
+// R is computed in units of the profile's own length, but given in the caller's, in single precision.
+void require_length(const Profile &profile, uint32_t channel) {
+  if (profile.albedo > 0 && !(profile.length >= 1e-18 && profile.length <= 1e18))
+    fail(TYN_ERROR_INVALID_ARGUMENT, "the profile of channel %u extends over %g; lengths must be in [1e-18, 1e18]",
+         channel, profile.length);
 }
 
 void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, const Slab &slab) {
@@ -58,9 +71,13 @@ std::vector<Profile> prepare_profiles(const TynSlab *given_slab, const TynBssrdf
   require_slab(*model, options, slab);
   if (options.model == TYN_BSSRDF_GAUSSIANS)
     require_gaussians(options, slab.channels);
+  if (options.transmitted && options.model != TYN_BSSRDF_MULTIPOLE)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "transmitted is 1; the model %s has what comes back only", model->name);
   std::vector<Profile> profiles;
-  for (uint32_t c = 0; c < slab.channels; c++)
+  for (uint32_t c = 0; c < slab.channels; c++) {
     profiles.push_back(model->prepare({slab, options, c}));
+    require_length(profiles.back(), c);
+  }
   return profiles;
 }
 

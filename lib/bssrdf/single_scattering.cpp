@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "bssrdf/integrate.hpp"
+#include "core/pi.hpp"
 #include "media/fresnel.hpp"
 #include "media/phase.hpp"
 
@@ -24,8 +25,10 @@ SingleScattering::SingleScattering(const BssrdfInput &input)
 double SingleScattering::exitance(double r) const {
   if (sigma_s == 0)
     return 0;
+  const double flattest = eta > 1 ? std::asin(1 / eta) : pi / 2;
   const double steepest = std::isinf(thickness) ? 0 : std::atan2(r, thickness);
-  const double flattest = eta > 1 ? std::asin(1 / eta) : std::asin(1.0);
+  // the same difference without its digits cancelling in thin layers
+  const double span = eta > 1 || std::isinf(thickness) ? flattest - steepest : std::atan2(thickness, r);
   auto part = [&](double angle) {
     const double cosine = std::cos(angle), sine = std::sin(angle);
     if (!(sine > 0))
@@ -33,12 +36,10 @@ double SingleScattering::exitance(double r) const {
     return std::exp(-sigma_t * r / sine * (1 + cosine)) * phase(-cosine) * (1 - fresnel_reflectance(cosine, 1 / eta)) *
            cosine;
   };
-  if (!(steepest < flattest))
+  if (!(span > 0))
     return 0;
   // F has a square root at the critical angle; a substitution takes it away
-  auto smooth = [&](double t) {
-    return part(flattest - (flattest - steepest) * t * t) * 2 * (flattest - steepest) * t;
-  };
+  auto smooth = [&](double t) { return part(flattest - span * t * t) * 2 * span * t; };
   return sigma_s / r * integrate(smooth, 0, 1);
 }
 
@@ -47,9 +48,9 @@ Profile single_scattering(const BssrdfInput &input) {
   if (input.sigma_s() == 0)
     return black_profile();
   const SingleScattering single(input);
-  const double length = 1 / sigma_t;
+  const double length = std::min(1 / sigma_t, input.top().thickness);
   return profile_of_table(
-      length, [&](double x) { return single.exitance(x * length) * length * length; }, true, 1);
+      length, [&](double x) { return single.exitance(x * length) * length * length; }, true, sigma_t * length);
 }
 
 } // namespace tyn

@@ -42,8 +42,9 @@ Examples:
       a sum of Gaussians, for which the medium does not matter
 
 Models: standard-dipole, better-dipole, photon-beam-diffusion, multipole, normalized-diffusion, gaussians,
-single-scattering. Slabs of finite thickness: multipole, gaussians, single-scattering. Light arrives
-perpendicularly from air. R(r) and the albedo are per power that gets in: what the surface reflects is apart.
+single-scattering, quantized-diffusion. Slabs of finite thickness: multipole, gaussians,
+single-scattering. Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in:
+what the surface reflects is apart.
 
 Units: any one unit of length, by convention mm; coefficients in its inverse, R(r) in 1/mm^2. Lists give one
 value a spectral channel: --sigma-a 0.03,0.17,0.48. In --json a profile is a list of channels, each a list

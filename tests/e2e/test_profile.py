@@ -14,7 +14,7 @@ from tools import ToolTest, path_of, png_size, run
 
 MEDIUM = ("--sigma-a", 0.01, "--sigma-s", 0.99)
 HALF_SPACE_MODELS = ["standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion",
-                     "single-scattering"]
+                     "single-scattering", "quantized-diffusion"]
 
 
 def standard_dipole(sigma_a, sigma_s, g, ior, radius):
@@ -67,7 +67,7 @@ class Profile(ToolTest):
         report = self.report(*MEDIUM, "--ior", 1.3, "--radii", "1e-4:300:1000", "--gaussians", "0.3:0.1,0.2:4")
         radii = report["radii"]
         step = math.log(radii[1] / radii[0])
-        self.assertEqual(list(report["models"]), HALF_SPACE_MODELS[:-1] + ["gaussians", "single-scattering"])
+        self.assertEqual(list(report["models"]), HALF_SPACE_MODELS[:5] + ["gaussians"] + HALF_SPACE_MODELS[5:])
         for name, model in report["models"].items():
             with self.subTest(model=name):
                 total = sum(2 * math.pi * r * r * value for r, value in zip(radii, model["profile"][0])) * step
@@ -238,7 +238,7 @@ class Profile(ToolTest):
         self.assertEqual(report["outputs"], {"csv": table})
         rows = self.rows(table)
         self.assertEqual(list(rows[0]), ["model", "channel", "quantity", "radius", "value"])
-        self.assertEqual(len(rows), 6 * 2 * (12 + 1))
+        self.assertEqual(len(rows), len(HALF_SPACE_MODELS) * 2 * (12 + 1))
         report = self.report(*slab, "--error", "--photons", 1e4)
         rows = self.rows(table)
         self.assertEqual(list(rows[0])[5:], ["exact", "exact_standard_error", "error"])

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bssrdf/diffusion.hpp"
 #include "common/bssrdf_model.hpp"
 #include "tyndall/tyndall_exact.h"
 
@@ -81,10 +82,53 @@ TEST(PhotonBeamDiffusion, HasTheTotalsOfAnotherProgram) {
           << iors[i];
 }
 
+// What the Gaussians are a sum for: a better dipole at every depth of the beam, here by the trapezoid rule over equal shares of the
+// beam.
+TEST(QuantizedDiffusion, IsABetterDipoleAtEveryDepth) {
+  for (double albedo : {0.5, 0.9, 0.99})
+    for (double ior : {1.0, 1.4}) {
+      const BssrdfModel model = half_space_model(TYN_BSSRDF_QUANTIZED_DIFFUSION, albedo, ior);
+      const tyn::ExitanceBoundary boundary = tyn::exitance_boundary(ior);
+      const double d = (2 - albedo) / 3, k = std::sqrt((1 - albedo) / d);
+      for (double r : {0.1, 0.5, 2.0, 8.0}) {
+        constexpr int SHARES = 20000;
+        double sum = 0;
+        for (int i = 0; i < SHARES; ++i) {
+          const double z_r = -std::log((i + 0.5) / SHARES), z_v = z_r + 4 * boundary.a * d;
+          const double d_r = std::hypot(r, z_r), d_v = std::hypot(r, z_v);
+          const double e_r = std::exp(-k * d_r) / d_r, e_v = std::exp(-k * d_v) / d_v;
+          sum += boundary.c_phi * (e_r - e_v) / d +
+                 boundary.c_e * (z_r * (1 + k * d_r) * e_r / (d_r * d_r) + z_v * (1 + k * d_v) * e_v / (d_v * d_v));
+        }
+        const double expected = albedo * albedo * sum / (4 * pi * SHARES);
+        EXPECT_NEAR(double(model.profile({float(r)})[0]), expected, 0.02 * expected)
+            << albedo << " " << ior << " " << r;
+      }
+    }
+}
+
 // Seeliger's law, integrated over all directions that light leaves in: W/2 int mu / (1 + mu) dmu.
 TEST(SingleScattering, OfAMatchedHalfSpaceIsSeeligersLaw) {
   for (double albedo : {0.1, 0.5, 1.0})
     EXPECT_NEAR(albedo_of(TYN_BSSRDF_SINGLE_SCATTERING, albedo, 1), albedo / 2 * (1 - std::log(2.0)), 1e-4 * albedo);
+}
+
+// The same of an anisotropic, finite layer: 2 pi W int p(-mu) mu / (1 + mu) (1 - exp(-tau (1 + 1 / mu))) dmu.
+TEST(SingleScattering, OfAMatchedLayerIsItsIntegralOverDirections) {
+  for (double g : {-0.3, 0.8})
+    for (double thickness : {1e-5, 1e-2, 0.5, 3.0}) {
+      double expected = 0;
+      constexpr int STEPS = 200000;
+      for (int i = 0; i < STEPS; ++i) {
+        const double mu = (i + 0.5) / STEPS;
+        const double phase = (1 - g * g) / (4 * pi * std::pow(1 + g * g + 2 * g * mu, 1.5));
+        expected += 2 * pi * 0.7 * phase * mu / (1 + mu) * -std::expm1(-thickness * (1 + 1 / mu)) / STEPS;
+      }
+      TynBssrdfOptions options = tyn_bssrdf_options();
+      options.model = TYN_BSSRDF_SINGLE_SCATTERING;
+      ExactSlab slab({{0.3, 0.7, g, 1, thickness}});
+      EXPECT_NEAR(BssrdfModel(slab.view(), options).albedo()[0], expected, 2e-3 * expected) << g << " " << thickness;
+    }
 }
 
 // Chandrasekhar's half-space by its closed form.
@@ -97,11 +141,12 @@ TEST(NormalizedDiffusion, HasTheAlbedoOfTheMedium) {
 }
 
 TEST(NormalizedDiffusion, IsTheFormulaOfThePaper) {
-  const double l = 0.25, sigma_t = 1 / l, a = half_space_model(TYN_BSSRDF_NORMALIZED_DIFFUSION, 0.9).albedo()[0];
-  const double shapes[] = {1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3), 1.9 - a + 3.5 * (a - 0.8) * (a - 0.8),
-                           3.5 + 100 * std::pow(a - 0.33, 4)};
-  for (uint32_t fit : {TYN_NORMALIZED_SEARCHLIGHT, TYN_NORMALIZED_DMFP}) {
+  const double l = 0.25, sigma_t = 1 / l;
+  for (uint32_t fit : {TYN_NORMALIZED_SEARCHLIGHT, TYN_NORMALIZED_DIFFUSE, TYN_NORMALIZED_DMFP}) {
     const BssrdfModel model = half_space_model(TYN_BSSRDF_NORMALIZED_DIFFUSION, 0.9, 1, 0, sigma_t, fit);
+    const double a = model.albedo()[0];
+    const double shapes[] = {1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3), 1.9 - a + 3.5 * (a - 0.8) * (a - 0.8),
+                             3.5 + 100 * std::pow(a - 0.33, 4)};
     const double unit = fit == TYN_NORMALIZED_DMFP ? l / std::sqrt(3 * (1 - 0.9)) : l, s = shapes[fit];
     for (double r : {0.01, 0.2, 1.0, 3.0}) {
       const double expected = a * s / (8 * pi * unit * r) * (std::exp(-s * r / unit) + std::exp(-s * r / (3 * unit)));
@@ -150,6 +195,36 @@ TEST(Multipole, OfAWhiteSlabLosesNothing) {
   }
 }
 
+// Boundaries that differ: the source is one mean free path below the upper one, and light leaves by the nearer, in the sense of
+// the extrapolated boundaries. The ratio is that of linear diffusion.
+TEST(Multipole, OfAWhiteSlabBetweenDifferentMedia) {
+  TynBssrdfOptions options = tyn_bssrdf_options();
+  options.model = TYN_BSSRDF_MULTIPOLE;
+  auto z_b = [](double eta) {
+    const double f_dr = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
+    return 2.0 / 3 * (1 + f_dr) / (1 - f_dr);
+  };
+  ExactSlab slab({{0, 1, 0, 1.5, 4}}, 1, 1.3);
+  for (uint32_t transmitted : {0u, 1u}) {
+    options.transmitted = transmitted;
+    const double through = (1 + z_b(1.5)) / (4 + z_b(1.5) + z_b(1.5 / 1.3));
+    const double expected = transmitted ? through : 1 - through;
+    EXPECT_NEAR(BssrdfModel(slab.view(), options).albedo()[0], expected, 2e-3 * expected);
+  }
+}
+
+// Where the sum over images gives way to that over modes there is no step.
+TEST(Multipole, IsOneFunction) {
+  const double z_b = 2.0 / 3 * ((1 + 0.529555) / (1 - 0.529555)), border = 3 + 2 * z_b;
+  for (bool transmitted : {false, true})
+    for (double albedo : {0.7, 1.0}) {
+      const BssrdfModel model = slab_model(albedo, 3, transmitted, 1.4);
+      const std::vector<float> r = model.profile({float(0.93 * border), float(border), float(1.07 * border)});
+      const double middle = std::sqrt(double(r[0]) * double(r[2]));
+      EXPECT_NEAR(double(r[1]), middle, 0.01 * middle) << transmitted << " " << albedo;
+    }
+}
+
 class EveryModel : public testing::TestWithParam<NamedModel> {};
 
 TEST_P(EveryModel, IntegratesToItsAlbedo) {
@@ -167,7 +242,7 @@ TEST_P(EveryModel, HasADensityThatIntegratesToOne) {
 
 TEST_P(EveryModel, IsFiniteAtItsLimits) {
   for (double albedo : {1e-6, 0.5, 1 - 1e-6})
-    for (double ior : {1.0, 3.0})
+    for (double ior : {1.0, 4.0})
       for (float value : make_model(GetParam(), albedo, ior).profile({1e-30f, 1e-6f, 1.0f, 1e4f, 1e12f, 1e37f})) {
         EXPECT_TRUE(std::isfinite(value)) << albedo << " " << ior;
         EXPECT_GE(value, 0);

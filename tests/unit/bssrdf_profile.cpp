@@ -9,6 +9,7 @@
 #include "bssrdf/bssrdf.hpp"
 #include "common/bssrdf_model.hpp"
 #include "common/walk_scene.hpp"
+#include "tyndall/tyndall_cl.h"
 
 namespace {
 
@@ -71,6 +72,32 @@ TEST_P(ProfileOf, DependsNeitherOnLanesNorOnBatches) {
 
 INSTANTIATE_TEST_SUITE_P(EveryModel, ProfileOf, testing::ValuesIn(named_models()),
                          [](const auto &one) { return std::to_string(one.index); });
+
+// The calls on buffers give what those on host pointers give, also where the latter need several batches.
+TEST(ProfileBuffers, GiveWhatHostPointersGive) {
+  constexpr size_t COUNT = 1200000; // more than a batch
+  TynContext &context = *shared_context();
+  const BssrdfModel model = make_model(named_models()[1], 0.9, 1.4);
+  auto *bssrdf = const_cast<TynBssrdf *>(model.get());
+  const BssrdfSamples samples = model.sample(2, 0, COUNT);
+  tyn::Buffer radii(context, COUNT * sizeof(float)), values(context, COUNT * sizeof(float));
+  tyn::Buffer weights(context, COUNT * sizeof(float));
+  std::vector<float> read(COUNT);
+  auto same = [&](const tyn::Buffer &buffer, const std::vector<float> &expected) {
+    context.read(buffer, read.data(), COUNT * sizeof(float));
+    return std::memcmp(read.data(), expected.data(), COUNT * sizeof(float)) == 0;
+  };
+  ASSERT_EQ(tyn_bssrdf_sample_cl(bssrdf, 2, 0, COUNT, radii.get(), values.get(), weights.get()), TYN_OK);
+  EXPECT_TRUE(same(radii, samples.radii));
+  EXPECT_TRUE(same(values, samples.pdf));
+  EXPECT_TRUE(same(weights, samples.weights));
+  ASSERT_EQ(tyn_bssrdf_profile_cl(bssrdf, radii.get(), COUNT, values.get()), TYN_OK);
+  EXPECT_TRUE(same(values, model.profile(samples.radii)));
+  ASSERT_EQ(tyn_bssrdf_pdf_cl(bssrdf, radii.get(), COUNT, values.get()), TYN_OK);
+  EXPECT_TRUE(same(values, samples.pdf));
+  EXPECT_EQ(tyn_bssrdf_pdf_cl(bssrdf, radii.get(), COUNT + 1, values.get()), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(tyn_bssrdf_profile_cl(bssrdf, nullptr, 1, values.get()), TYN_ERROR_INVALID_ARGUMENT);
+}
 
 TEST(Sampler, HasBordersWithFiveBitsOfMantissa) {
   EXPECT_EQ(tyn::sampler_border(0), 0);

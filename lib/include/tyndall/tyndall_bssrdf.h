@@ -4,15 +4,16 @@
  *
  * A BSSRDF S(x_i, w_i; x_o, w_o) says how much of the light that arrives at x_i along w_i leaves at x_o along w_o. What all
  * models here have is the profile R(r): the radiant exitance at distance r from a point where light gets in perpendicularly,
- * per unit of power that gets in, 1/length^2. Its integral over the plane, int 2 pi r R(r) dr, is the albedo: the fraction of that
- * light that comes back scattered. (Of light that arrives, the surface's Fresnel reflection does not get in.)
- * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations. None keeps energy
- * by itself: photon beam diffusion's albedo is 1.09 for a white, index-matched medium, and SINGLE_SCATTERING lacks what boundaries
- * send back inside.
+ * per unit of power that gets in, 1/length^2. Its integral over the plane, int 2 pi r R(r) dr, is the albedo: the fraction of
+ * that light that comes back scattered. (Of light that arrives, the surface's Fresnel reflection does not get in.)
+ * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations. Their albedos
+ * are as good as they are: only normalized diffusion's is exact; photon beam diffusion's is 1.09 for a white, index-matched
+ * medium; SINGLE_SCATTERING lacks what boundaries send back inside, the better dipole and quantized diffusion lack single
+ * scattering.
  *
- * Media are those of tyndall_slab.h. A half-space is a TynSlab of one infinite layer; MULTIPOLE, GAUSSIANS and SINGLE_SCATTERING
- * take one layer of any thickness. N spectral channels, each with a profile of its own.
- * Arrays of several channels are stored channel by channel: value [channel * count + i].
+ * Media are those of tyndall_slab.h. A half-space is a TynSlab of one infinite layer; GAUSSIANS and SINGLE_SCATTERING take one
+ * layer of any thickness, MULTIPOLE one that is thicker than a reduced mean free path in every channel. N spectral channels,
+ * each with a profile of its own. Arrays of several channels are stored channel by channel: value [channel * count + i].
  */
 #ifndef TYNDALL_BSSRDF_H
 #define TYNDALL_BSSRDF_H
@@ -24,7 +25,7 @@ extern "C" {
 #endif
 
 /* Name of a model, TYN_BSSRDF_* of tyndall_types.h: "standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole",
- * "normalized-diffusion", "gaussians", "single-scattering"; NULL for no such model. */
+ * "normalized-diffusion", "gaussians", "single-scattering", "quantized-diffusion"; NULL for no such model. */
 TYN_API const char *tyn_bssrdf_model_name(uint32_t model);
 
 /* The model of that name; TYN_BSSRDF_MODEL_COUNT if there is none. `name`: may be NULL. */
@@ -38,7 +39,7 @@ typedef struct TynBssrdfOptions {
   uint32_t gaussian_count; /* GAUSSIANS: in each channel, 1 .. 64 */
   const double
       *gaussian_weights; /* GAUSSIANS: channel_count x gaussian_count, >= 0; a channel's sum, its albedo, at most 1 */
-  const double *gaussian_variances; /* GAUSSIANS: as many, > 0, length^2: of x and of y */
+  const double *gaussian_variances; /* GAUSSIANS: as many, > 0, length^2: of x and of y; within a factor of 1e20 */
 } TynBssrdfOptions;
 
 static inline TynBssrdfOptions tyn_bssrdf_options(void) {
@@ -51,25 +52,31 @@ static inline TynBssrdfOptions tyn_bssrdf_options(void) {
 /* A model of a medium, ready for the device. Never changes; used from one thread at a time with its context. */
 typedef struct TynBssrdf TynBssrdf;
 
-/* Prepares a model. Nothing of `slab` and `options` is kept. `bssrdf`: set to NULL on failure.
+/* Prepares a model: some milliseconds a channel, up to 0.2 s where it is tabulated. `slab`, `options`: not NULL; nothing of
+ * them is kept. `bssrdf`: set to NULL on failure.
  * Errors: INVALID_ARGUMENT (no such model: the message lists them; more layers, or another thickness, than the model takes; an
- * index of refraction below that outside, but for GAUSSIANS; the fit DMFP without absorption), OUT_OF_MEMORY, DEVICE. */
+ * index of refraction below that outside, but for GAUSSIANS; the fit DMFP without absorption; mean free paths outside
+ * [1e-18, 1e18]), OUT_OF_MEMORY, DEVICE. */
 TYN_API TynStatus tyn_bssrdf_create(TynContext *context, const TynSlab *slab, const TynBssrdfOptions *options,
                                     TynBssrdf **bssrdf);
 TYN_API void tyn_bssrdf_retain(TynBssrdf *bssrdf);
 TYN_API void tyn_bssrdf_release(TynBssrdf *bssrdf);
 
-/* Copies the albedo of each channel, int 2 pi r R(r) dr. `count`: the number of channels. */
+/* Copies the albedo of each channel, int 2 pi r R(r) dr. `count`: the number of channels, else
+ * INVALID_ARGUMENT. */
 TYN_API TynStatus tyn_bssrdf_albedo(const TynBssrdf *bssrdf, double *albedo, size_t count);
 
-/* R at `count` radii, which are > 0 and finite. `profile`: channel_count x count, 1/length^2.
+/* R at `count` radii, which are > 0 and finite. `profile`: channel_count x count, 1/length^2. Single precision: 1e-5, or what a
+ * float's exponent leaves of a small value. Tables reach from 2^-12 to 2^12 reduced mean free paths; nearer R is continued as a
+ * constant or like 1/r, farther by its falloff; beyond 1e12 it is 0.
  * Errors here and below: INVALID_ARGUMENT (which radius), OUT_OF_MEMORY, DEVICE, KERNEL_BUILD. */
 TYN_API TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile);
 
-/* Draws `count` radii with a density like R's: of a channel that is chosen in proportion to its albedo. Radius i is a function of
- * seed and first + i alone. `pdf`: density per area of the plane, 1/length^2, over all channels: what tyn_bssrdf_pdf gives.
- * `weights`: channel_count x count, R / pdf; at most the sum of all albedos times 1.5. May be NULL. Where no channel has an
- * albedo, radii, pdf and weights are 0. */
+/* Draws `count` radii with a density like R's: of a channel that is chosen in proportion to its albedo. Radius i is a function
+ * of seed and first + i alone. `pdf`: density per area of the plane, 1/length^2, over all channels: what tyn_bssrdf_pdf gives.
+ * `weights`: channel_count x count, R / pdf, which add up to the albedos on average; they are bounded, nearly always by 1.5
+ * times the sum of all albedos, by some 20 times in the far tail of a slab's single scattering. May be NULL. Where no channel
+ * has an albedo, radii, pdf and weights are 0. */
 TYN_API TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, float *radii,
                                     float *pdf, float *weights);
 
