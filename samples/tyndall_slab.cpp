@@ -4,12 +4,10 @@
 // tyndall-slab: Monte Carlo light transport in layered slabs and half-spaces.
 #include "common/interrupt.hpp"
 #include "common/outputs.hpp"
-#include "common/progress.hpp"
 #include "slab/files.hpp"
 #include "slab/outputs.hpp"
+#include "slab/run.hpp"
 #include "slab/stack.hpp"
-
-#include <optional>
 
 namespace {
 
@@ -17,39 +15,6 @@ using namespace slab;
 using tool::check;
 
 constexpr const char *kName = "tyndall-slab";
-
-struct Display {
-  bool quiet;
-  std::optional<tool::Progress> progress;
-};
-
-int32_t on_progress(void *user, double fraction) {
-  tool::ProgressState state;
-  state.fraction = fraction;
-  // Begun here, so that compiling kernels does not count as time for photons.
-  Display &display = *static_cast<Display *>(user);
-  if (!display.progress)
-    display.progress.emplace(kName, display.quiet);
-  display.progress->update(state);
-  return tool::interrupted();
-}
-
-// Runs until a limit is reached or the user has had enough; there is always a result, of one batch at least.
-void simulate(TynContext *context, const Stack &stack, bool quiet, Results &results) {
-  Display display = {quiet, {}};
-  TynSlabOptions options = stack.options();
-  options.progress = on_progress;
-  options.user = &display;
-  TynSlabResult *handle = nullptr;
-  const TynStatus status = tyn_slab_simulate(context, &stack.slab(), &options, &handle);
-  const ResultHandle owner(handle);
-  if (display.progress)
-    display.progress->finish();
-  results.interrupted = status == TYN_ERROR_CANCELLED;
-  if (!results.interrupted)
-    check(status, context, status == TYN_ERROR_INVALID_ARGUMENT ? tool::kUsage : tool::kFailed);
-  read_results(handle, results);
-}
 
 void write_outputs(const Arguments &arguments, const Results &results) {
   if (!arguments.csv.empty())
@@ -76,7 +41,7 @@ int body(int argc, char **argv) {
   check(tyn_context_device(context.get(), &results.device), context.get());
   results.names = channel_names(arguments);
   tool::catch_interrupt();
-  simulate(context.get(), stack, arguments.quiet, results);
+  simulate(kName, context.get(), stack.slab(), stack.options(), arguments.quiet, results);
   for (size_t c = 0; c < exact.size(); ++c)
     results.channels[c].exact = exact[c];
   write_outputs(arguments, results);

@@ -90,84 +90,73 @@ void require_float_buffer(TynBssrdf &bssrdf, const char *name, cl_mem buffer, si
   require_buffer(bssrdf.context, name, buffer, count, sizeof(float));
 }
 
+// At the C boundary: nothing is checked or done for no radii.
+template <class Body>
+TynStatus for_radii(TynBssrdf *bssrdf, size_t count, Body &&body) {
+  if (!bssrdf)
+    return TYN_ERROR_INVALID_ARGUMENT;
+  return guarded(&bssrdf->context, [&] {
+    if (count > 0)
+      body();
+  });
+}
+
 } // namespace
 } // namespace tyn
 
+using namespace tyn;
+
 TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_radii(radii, count);
-    tyn::require_pointer("profile", profile);
-    tyn::evaluate(*bssrdf, "bssrdf_profile", radii, count, bssrdf->channels(), profile);
+  return for_radii(bssrdf, count, [&] {
+    require_radii(radii, count);
+    require_pointer("profile", profile);
+    evaluate(*bssrdf, "bssrdf_profile", radii, count, bssrdf->channels(), profile);
   });
 }
 
 TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t count, float *pdf) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_radii(radii, count);
-    tyn::require_pointer("pdf", pdf);
-    tyn::evaluate(*bssrdf, "bssrdf_density", radii, count, 1, pdf);
+  return for_radii(bssrdf, count, [&] {
+    require_radii(radii, count);
+    require_pointer("pdf", pdf);
+    evaluate(*bssrdf, "bssrdf_density", radii, count, 1, pdf);
   });
 }
 
 TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, float *radii, float *pdf,
                             float *weights) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_pointer("radii", radii);
-    tyn::require_pointer("pdf", pdf);
-    tyn::sample(*bssrdf, seed, first, count, radii, pdf, weights);
+  return for_radii(bssrdf, count, [&] {
+    require_pointer("radii", radii);
+    require_pointer("pdf", pdf);
+    sample(*bssrdf, seed, first, count, radii, pdf, weights);
   });
 }
 
 TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem profile) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
-    tyn::require_float_buffer(*bssrdf, "profile", profile, count * bssrdf->channels());
-    tyn::launch(*bssrdf, "bssrdf_profile", radii, count, profile);
+  return for_radii(bssrdf, count, [&] {
+    require_float_buffer(*bssrdf, "radii", radii, count);
+    require_float_buffer(*bssrdf, "profile", profile, count * bssrdf->channels());
+    launch(*bssrdf, "bssrdf_profile", radii, count, profile);
     bssrdf->context.flush();
   });
 }
 
 TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem pdf) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
-    tyn::require_float_buffer(*bssrdf, "pdf", pdf, count);
-    tyn::launch(*bssrdf, "bssrdf_density", radii, count, pdf);
+  return for_radii(bssrdf, count, [&] {
+    require_float_buffer(*bssrdf, "radii", radii, count);
+    require_float_buffer(*bssrdf, "pdf", pdf, count);
+    launch(*bssrdf, "bssrdf_density", radii, count, pdf);
     bssrdf->context.flush();
   });
 }
 
 TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii, cl_mem pdf,
                                cl_mem weights) {
-  if (!bssrdf)
-    return TYN_ERROR_INVALID_ARGUMENT;
-  return tyn::guarded(&bssrdf->context, [&] {
-    if (count == 0)
-      return;
-    tyn::require_float_buffer(*bssrdf, "radii", radii, count);
-    tyn::require_float_buffer(*bssrdf, "pdf", pdf, count);
+  return for_radii(bssrdf, count, [&] {
+    require_float_buffer(*bssrdf, "radii", radii, count);
+    require_float_buffer(*bssrdf, "pdf", pdf, count);
     if (weights)
-      tyn::require_float_buffer(*bssrdf, "weights", weights, count * bssrdf->channels());
-    tyn::launch_sample(*bssrdf, seed, first, count, radii, pdf, weights);
+      require_float_buffer(*bssrdf, "weights", weights, count * bssrdf->channels());
+    launch_sample(*bssrdf, seed, first, count, radii, pdf, weights);
     bssrdf->context.flush();
   });
 }

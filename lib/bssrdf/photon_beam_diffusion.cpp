@@ -34,14 +34,10 @@ public:
 
 private:
   double dipole(double r, double z_r) const {
-    const double z_v = -(z_r + 4 * boundary.a * diffusion.d);
-    const double d_r = std::hypot(r, z_r), d_v = std::hypot(r, z_v), k = diffusion.falloff;
-    const double e_r = std::exp(-k * d_r), e_v = std::exp(-k * d_v);
-    const double fluence = (e_r / d_r - e_v / d_v) / (4 * pi * diffusion.d);
-    const double flux =
-        (z_r * (1 + k * d_r) * e_r / (d_r * d_r * d_r) - z_v * (1 + k * d_v) * e_v / (d_v * d_v * d_v)) / (4 * pi);
-    const double kappa = -std::expm1(-2 * (d_r + z_r));
-    return kappa * (boundary.c_phi * fluence + boundary.c_e * flux);
+    const SourcePair pair{z_r, -(z_r + 4 * boundary.a * diffusion.d)};
+    const PairLight light = pair_light(pair, diffusion.falloff, r);
+    const double kappa = -std::expm1(-2 * (std::hypot(r, z_r) + z_r));
+    return kappa * (boundary.c_phi * light.fluence / diffusion.d + boundary.c_e * light.flux) / (4 * pi);
   }
 
   const double albedo;

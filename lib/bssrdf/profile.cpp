@@ -13,18 +13,12 @@ namespace tyn {
 namespace {
 
 double pairs_value(const Profile &p, double x) {
-  double flux = 0, fluence = 0;
+  double sum = 0;
   for (uint32_t i = 0; i < p.count; i++) {
-    const double z_r = p.terms[3 * i], z_v = p.terms[3 * i + 1], difference = p.terms[3 * i + 2];
-    const double d_r = std::hypot(x, z_r), d_v = std::hypot(x, z_v);
-    const double e_r = std::exp(-p.falloff * d_r), e_v = std::exp(-p.falloff * d_v);
-    flux +=
-        z_r * (1 + p.falloff * d_r) * e_r / (d_r * d_r * d_r) - z_v * (1 + p.falloff * d_v) * e_v / (d_v * d_v * d_v);
-    // e_r / d_r - e_v / d_v, far away of nearly equal numbers
-    const double farther = difference / (d_r + d_v);
-    fluence += (e_r * farther - d_r * e_r * std::expm1(-p.falloff * farther)) / (d_r * d_v);
+    const PairLight light = pair_light({p.terms[3 * i], p.terms[3 * i + 1]}, p.falloff, x);
+    sum += p.flux * light.flux + p.fluence * light.fluence;
   }
-  return p.flux * flux + p.fluence * fluence;
+  return sum;
 }
 
 double gaussians_value(const Profile &p, double x) {
@@ -94,6 +88,17 @@ std::vector<double> monotone_slopes(const std::vector<double> &x, const std::vec
 
 } // namespace
 
+PairLight pair_light(const SourcePair &pair, double falloff, double x) {
+  const double d_r = std::hypot(x, pair.z_r), d_v = std::hypot(x, pair.z_v);
+  const double e_r = std::exp(-falloff * d_r), e_v = std::exp(-falloff * d_v);
+  // e_r / d_r - e_v / d_v, far away of nearly equal numbers
+  const double farther =
+      (std::abs(pair.z_v) - std::abs(pair.z_r)) * (std::abs(pair.z_v) + std::abs(pair.z_r)) / (d_r + d_v);
+  return {pair.z_r * (1 + falloff * d_r) * e_r / (d_r * d_r * d_r) -
+              pair.z_v * (1 + falloff * d_v) * e_v / (d_v * d_v * d_v),
+          (e_r * farther - d_r * e_r * std::expm1(-falloff * farther)) / (d_r * d_v)};
+}
+
 Profile black_profile() { return {}; }
 
 // int 2 pi r g(d) dr = 2 pi exp(-falloff |z|) / |z|, int 2 pi r h(d) dr = 2 pi exp(-falloff |z|) / falloff.
@@ -159,7 +164,8 @@ Profile profile_of_table(double length, const std::function<double(double)> &val
   p.count = uint32_t(x.size());
   for (size_t i = 0; i < x.size(); i++)
     p.terms.insert(p.terms.end(), {y[i], slopes[i]});
-  p.albedo = sum(ring_integrals(p));
+  p.rings = ring_integrals(p);
+  p.albedo = sum(p.rings);
   return p;
 }
 
@@ -184,7 +190,7 @@ double sampler_border(uint32_t k) {
 }
 
 std::vector<double> sampler_chances(const Profile &profile) {
-  const std::vector<double> rings = ring_integrals(profile);
+  const std::vector<double> rings = profile.rings.empty() ? ring_integrals(profile) : profile.rings;
   const double all = sum(rings);
   std::vector<double> chances(1, 0.0);
   for (double ring : rings)

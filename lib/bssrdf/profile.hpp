@@ -18,13 +18,21 @@ struct Profile {
   double falloff = 0, flux = 0, fluence = 0;
   std::vector<double> terms; // `count` groups
   uint32_t count = 0;
-  double albedo = 0; // int 2 pi r R(r) dr; 0: nothing comes back
+  double albedo = 0;         // int 2 pi r R(r) dr; 0: nothing comes back
+  std::vector<double> rings; // TABLE: the parts of that integral in each of the sampler's cells
 };
 
 // A point source at depth z_r and its mirror image, in units of the profile's length.
 struct SourcePair {
   double z_r, z_v;
 };
+
+// What a pair gives at distance x, as kernels/shared_bssrdf.h has it: z_r g(d_r) - z_v g(d_v), and h(d_r) - h(d_v).
+struct PairLight {
+  double flux, fluence;
+};
+
+PairLight pair_light(const SourcePair &pair, double falloff, double x);
 
 // R = flux (z_r g - z_v g) + fluence (h - h) over all pairs; the albedo is added.
 Profile profile_of_pairs(double length, double falloff, double flux, double fluence,

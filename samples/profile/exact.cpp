@@ -2,54 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/exact.hpp"
 
-#include "common/interrupt.hpp"
-#include "common/progress.hpp"
-#include "slab/results.hpp"
+#include "slab/run.hpp"
 
 #include <cmath>
-#include <optional>
 
 namespace profile {
 namespace {
 
-using tool::check;
-
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMostError = 0.3; // relative standard error up to which an exact value means something
-
-struct Display {
-  const char *tool_name;
-  bool quiet;
-  std::optional<tool::Progress> progress;
-};
-
-int32_t on_progress(void *user, double fraction) {
-  tool::ProgressState state;
-  state.fraction = fraction;
-  // Begun here, so that compiling kernels does not count as time for photons.
-  Display &display = *static_cast<Display *>(user);
-  if (!display.progress)
-    display.progress.emplace(display.tool_name, display.quiet);
-  display.progress->update(state);
-  return tool::interrupted();
-}
-
-// Runs until all photons are followed or the user has had enough; there is always a result, of one batch at least.
-slab::Results simulate(TynContext *context, const TynSlab &slab, TynSlabOptions options, Display display) {
-  options.progress = on_progress;
-  options.user = &display;
-  TynSlabResult *handle = nullptr;
-  const TynStatus status = tyn_slab_simulate(context, &slab, &options, &handle);
-  const slab::ResultHandle owner(handle);
-  if (display.progress)
-    display.progress->finish();
-  slab::Results results;
-  results.interrupted = status == TYN_ERROR_CANCELLED;
-  if (!results.interrupted)
-    check(status, context, status == TYN_ERROR_INVALID_ARGUMENT ? tool::kUsage : tool::kFailed);
-  slab::read_results(handle, results);
-  return results;
-}
 
 // Of the light that arrives perpendicularly, what gets in. Not 1 minus the specular reflectance, which for a slab holds light
 // that had got in and comes back unscattered from the far side.
@@ -113,7 +74,8 @@ void compare_with_exact(const char *tool_name, TynContext *context, const TynSla
   options.seed = arguments.options.seed;
   options.radial_max = rings.end;
   options.radial_bins = rings.bin_count;
-  const slab::Results photons = simulate(context, slab, options, {tool_name, arguments.quiet, {}});
+  slab::Results photons;
+  slab::simulate(tool_name, context, slab, options, arguments.quiet, photons);
   const double in = fraction_in(slab);
   const uint32_t quantity = arguments.transmitted ? TYN_SLAB_RADIAL_TRANSMITTANCE : TYN_SLAB_RADIAL_REFLECTANCE;
   results.interrupted = photons.interrupted;

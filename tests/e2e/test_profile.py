@@ -5,12 +5,9 @@ import csv
 import json
 import math
 import os
-import signal
-import subprocess
-import time
 import unittest
 
-from tools import ToolTest, path_of, png_size, run
+from tools import ToolTest, png_size, run
 
 MEDIUM = ("--sigma-a", 0.01, "--sigma-s", 0.99)
 HALF_SPACE_MODELS = ["standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion",
@@ -203,16 +200,7 @@ class Profile(ToolTest):
 
     def test_interrupted_it_writes_what_is_done(self):
         self.report(*MEDIUM, "--error", "--photons", 1000)  # compiles the kernels
-        command = [path_of("tyndall-profile"), *map(str, MEDIUM), "--error", "--photons", "1e15", "--json", "-q"]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.kill)
-        time.sleep(3)
-        self.assertIsNone(process.poll(), "it ended by itself")
-        process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, errors)
-        report = json.loads(output)
-        self.assertTrue(report["interrupted"])
+        report = self.interrupt("tyndall-profile", *MEDIUM, "--error", "--photons", "1e15", "--json", "-q")
         self.assertGreater(report["exact"]["photons"], 0)
 
     # ---- outputs ----

@@ -5,12 +5,10 @@ import csv
 import json
 import math
 import os
-import signal
-import subprocess
 import time
 import unittest
 
-from tools import ToolTest, path_of, png_size, run
+from tools import ToolTest, png_size, run
 
 # A slab whose R and T are published: van de Hulst 1980, table 35; also in Wang, Jacques & Zheng 1995, table 1 (MCML).
 PUBLISHED = ("--sigma-a", 1, "--sigma-s", 9, "--g", 0.75, "--thickness", 0.2)
@@ -177,17 +175,8 @@ class Slab(ToolTest):
 
     def test_interrupted_it_writes_what_is_done(self):
         self.report(*PUBLISHED, photons=1000)  # compiles the kernels
-        command = [path_of("tyndall-slab"), *map(str, PUBLISHED), "--photons", "1e15", "--json", "-q",
-                   "--angular", "9", "--csv", self.path("out.csv")]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.kill)
-        time.sleep(3)
-        self.assertIsNone(process.poll(), "it ended by itself")
-        process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, errors)
-        report = json.loads(output)
-        self.assertTrue(report["interrupted"])
+        report = self.interrupt("tyndall-slab", *PUBLISHED, "--photons", "1e15", "--json", "-q", "--angular", "9", "--csv",
+                                self.path("out.csv"))
         self.assertGreater(report["photons"], 0)
         self.check_near(report["reflectance"]["total"], PUBLISHED_R, errors=5, rounding=5e-6)
         self.assertEqual(os.listdir(self.folder), ["out.csv"])

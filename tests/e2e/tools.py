@@ -4,9 +4,11 @@
 import json
 import os
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 
 BIN = os.environ.get("TYNDALL_BIN_DIR", "build/demo/bin")
@@ -51,6 +53,20 @@ class ToolTest(unittest.TestCase):
     def check_succeeds(self, result):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
+
+    def interrupt(self, tool, *arguments):
+        """Lets a tool run for three seconds, then interrupts it; the JSON report that it prints all the same."""
+        process = subprocess.Popen([path_of(tool), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        self.addCleanup(process.kill)
+        time.sleep(3)
+        self.assertIsNone(process.poll(), "it ended by itself")
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, errors)
+        report = json.loads(output)
+        self.assertTrue(report["interrupted"])
+        return report
 
 
 # ---- models ----
