@@ -31,12 +31,20 @@ typedef struct TynSlabLayerRecord {
 #define TYN_SLAB_BINS 64u     // what leaves is sorted into bins
 #define TYN_SLAB_CLEAR 128u   // some layer has no extinction
 #define TYN_SLAB_ANALOG 256u  // some layer absorbs walks as a whole
+#define TYN_SLAB_ESCAPES 512u // walks that leave upwards are counted as escapes, in place of bins
 
 // Tallies are 64-bit integers, so that their sum does not depend on the order. A weight, which is at most 1, is rounded to a
 // multiple of 2^-23; those of a sweep, which may be very small, to 2^-36. A batch has at most 2^16 photons: no tally overflows.
 #define TYN_SLAB_WEIGHT_SCALE 8388608.0f
 #define TYN_SLAB_SWEEP_SCALE 68719476736.0f
 #define TYN_SLAB_BATCH 65536u // photons, at most
+
+// Escapes: walks that leave upwards, counted by scattering order, radius and angle. Orders and radii are numbered by the bits of
+// floats with three mantissa bits, eight to a factor of two, so that orders up to 16 have a number each; angles in equal steps
+// of the squared cosine outside, which are equal projected solid angles.
+#define TYN_ESCAPE_SHIFT 20              // as_uint(x) >> this is the number of x ...
+#define TYN_ESCAPE_FIRST_ORDER (127 * 8) // ... this one that of 1
+#define TYN_ESCAPE_ANGLES 8
 
 // Where each tally stands. The first ones are always there; after them come those that were asked for.
 #define TYN_SLAB_TALLY_EXIT 0u // specular and diffuse reflectance, direct and diffuse transmittance
@@ -66,6 +74,8 @@ typedef struct TynSlabParameters {
   float radial_scale, depth_scale, path_scale; // bins per length
   // offset of the reflectance's tallies; the transmittance's follow at once
   uint32_t radial, angular, radial_angular, depth, order, path, sweep; // radial_angular: 0 if not asked for
-} TynSlabParameters;                                                   // 144 bytes
+  // the tallies of escapes, order by order, radius by radius; the first radius holds all nearer ones, the last all farther ones
+  uint32_t escapes, escape_first_radius, escape_radii;
+} TynSlabParameters; // 156 bytes
 
 #endif

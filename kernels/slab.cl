@@ -15,6 +15,7 @@
 #include "phase.clh"
 #include "random.clh"
 #include "shared_slab.h"
+#include "slab_escape.clh"
 #include "slab_state.clh"
 #include "slab_tally.clh"
 
@@ -88,6 +89,8 @@ static void slab_exit(const SlabRun *run, SlabWalks *walks, SlabSums *sums) {
   LaneInt left = walks->left[0] | walks->left[1];
   if (run->p.flags & TYN_SLAB_BINS && lane_any(left))
     slab_tally_bins(run, walks, left, below, weight);
+  if (run->p.flags & TYN_SLAB_ESCAPES && lane_any(walks->left[0]))
+    slab_tally_escapes(run, walks);
   walks->left[0] = walks->left[1] = (LaneInt)(0);
 }
 

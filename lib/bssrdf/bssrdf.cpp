@@ -85,7 +85,7 @@ TynStatus tyn_bssrdf_create(TynContext *context, const TynSlab *slab, const TynB
     return TYN_ERROR_INVALID_ARGUMENT;
   return tyn::guarded(context, [&] {
     tyn::require_pointer("bssrdf", bssrdf);
-    *bssrdf = new TynBssrdf(*context, tyn::prepare_profiles(slab, options));
+    *bssrdf = new TynBssrdf(*context, tyn::prepare_profiles(*context, slab, options));
   });
 }
 

@@ -30,6 +30,6 @@ private:
 namespace tyn {
 
 // Throws INVALID_ARGUMENT.
-std::vector<Profile> prepare_profiles(const TynSlab *slab, const TynBssrdfOptions *options);
+std::vector<Profile> prepare_profiles(TynContext &context, const TynSlab *slab, const TynBssrdfOptions *options);
 
 } // namespace tyn

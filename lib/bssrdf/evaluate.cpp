@@ -114,6 +114,20 @@ TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count
   });
 }
 
+TynStatus tyn_bssrdf_profile_error(TynBssrdf *bssrdf, const float *radii, size_t count, float *errors) {
+  return for_radii(bssrdf, count, [&] {
+    require_radii(radii, count);
+    require_pointer("errors", errors);
+    for (uint32_t c = 0; c < bssrdf->channels(); c++) {
+      const Profile &profile = bssrdf->profiles[c];
+      for (size_t i = 0; i < count; i++) {
+        const double x = double(radii[i]) / profile.length, r = profile_value(profile, x);
+        errors[c * count + i] = float(profile_error(profile, x) * r / (profile.length * profile.length));
+      }
+    }
+  });
+}
+
 TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t count, float *pdf) {
   return for_radii(bssrdf, count, [&] {
     require_radii(radii, count);

@@ -13,11 +13,14 @@
 
 namespace tyn {
 
+class ExactTables;
+
 // One channel of what is modelled.
 struct BssrdfInput {
   const Slab &slab;
   const TynBssrdfOptions &options; // checked
   uint32_t channel;
+  ExactTables &tables;
 
   const SlabLayer &top() const { return slab.layers[0]; }
   double sigma_a() const { return top().sigma_a[channel]; }
@@ -44,5 +47,6 @@ Profile normalized_diffusion(const BssrdfInput &input);
 Profile gaussians(const BssrdfInput &input);
 Profile single_scattering(const BssrdfInput &input);
 Profile quantized_diffusion(const BssrdfInput &input);
+Profile exact(const BssrdfInput &input);
 
 } // namespace tyn

@@ -6,36 +6,11 @@
 #include <cmath>
 
 #include "bssrdf/diffusion.hpp"
+#include "bssrdf/surface_albedo.hpp"
 #include "core/status.hpp"
-#include "media/fresnel.hpp"
-#include "tyndall/tyndall_exact.h"
 
 namespace tyn {
 namespace {
-
-// The light that comes back scattered, over that which gets in.
-double surface_albedo(const BssrdfInput &input, bool diffuse) {
-  const SlabLayer &top = input.top();
-  const double sigma_a = input.sigma_a(), sigma_s = input.sigma_s();
-  TynSlabLayer layer = tyn_slab_layer();
-  layer.sigma_a = &sigma_a;
-  layer.sigma_s = &sigma_s;
-  layer.phase = &top.phase;
-  layer.ior = top.ior;
-  TynSlab slab = tyn_slab();
-  slab.layer_count = 1;
-  slab.layers = &layer;
-  slab.ior_above = input.slab.ior_above;
-  TynAddingDoublingOptions options = tyn_adding_doubling_options();
-  options.incidence = diffuse ? TYN_INCIDENCE_DIFFUSE : TYN_INCIDENCE_COLLIMATED;
-  TynAddingDoublingResult result{};
-  result.size = sizeof result;
-  char message[256] = "";
-  const TynStatus status = tyn_adding_doubling(&slab, &options, &result, nullptr, nullptr, message, sizeof message);
-  if (status != TYN_OK)
-    fail(status, "normalized diffusion: %s", message);
-  return (result.reflectance - result.specular_reflectance) / (1 - result.specular_reflectance);
-}
 
 // The shape parameter s: eq. 5 (searchlight, r in mean free paths), eq. 6 (diffuse light, mean free paths), eq. 8 (searchlight,
 // diffuse mean free paths).
@@ -62,7 +37,9 @@ Profile normalized_diffusion(const BssrdfInput &input) {
            input.channel);
     length /= std::sqrt(3 * (1 - medium.albedo));
   }
-  const double a = surface_albedo(input, fit == TYN_NORMALIZED_DIFFUSE);
+  const double a =
+      surface_albedo({input.top().phase, input.top().ior, input.slab.ior_above, input.sigma_a(), input.sigma_s()},
+                     fit == TYN_NORMALIZED_DIFFUSE);
   return profile_of_exponentials(length / shape(fit, a), a);
 }
 

@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "bssrdf/bssrdf.hpp"
+#include "bssrdf/exact_table.hpp"
 #include "bssrdf/model.hpp"
 #include "core/input.hpp"
 
 namespace tyn {
 namespace {
+
+constexpr uint64_t EXACT_SEED = 1;
+constexpr uint64_t MOST_EXACT_EVENTS = 1000000000000000;
 
 void require_gaussians(const TynBssrdfOptions &options, uint32_t channels) {
   if (options.gaussian_count < 1 || options.gaussian_count > 64)
@@ -47,7 +51,7 @@ void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, con
   if (!model.takes_slabs && !std::isinf(slab.layers[0].thickness))
     fail(TYN_ERROR_INVALID_ARGUMENT, "layers[0].thickness is %g; the model %s is for half-spaces: it must be INFINITY",
          slab.layers[0].thickness, model.name);
-  if (options.model == TYN_BSSRDF_GAUSSIANS)
+  if (options.model == TYN_BSSRDF_GAUSSIANS || options.model == TYN_BSSRDF_EXACT)
     return;
   const double ior = slab.layers[0].ior;
   for (const double outside : {slab.ior_above, std::isinf(slab.layers[0].thickness) ? 1.0 : slab.ior_below})
@@ -59,7 +63,7 @@ void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, con
 
 } // namespace
 
-std::vector<Profile> prepare_profiles(const TynSlab *given_slab, const TynBssrdfOptions *given) {
+std::vector<Profile> prepare_profiles(TynContext &context, const TynSlab *given_slab, const TynBssrdfOptions *given) {
   const TynBssrdfOptions options = read_struct("TynBssrdfOptions", given, tyn_bssrdf_options());
   const BssrdfModel *model = find_model(options.model);
   if (!model)
@@ -67,15 +71,19 @@ std::vector<Profile> prepare_profiles(const TynSlab *given_slab, const TynBssrdf
          model_names().c_str());
   require_choice("fit", options.fit, TYN_NORMALIZED_FIT_COUNT);
   require_choice("transmitted", options.transmitted, 2);
+  if (options.exact_events < 1 || options.exact_events > MOST_EXACT_EVENTS)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "exact_events is %llu; it must be in 1 .. 1e15",
+         (unsigned long long)options.exact_events);
   const Slab slab = read_slab(given_slab);
   require_slab(*model, options, slab);
   if (options.model == TYN_BSSRDF_GAUSSIANS)
     require_gaussians(options, slab.channels);
   if (options.transmitted && options.model != TYN_BSSRDF_MULTIPOLE)
     fail(TYN_ERROR_INVALID_ARGUMENT, "transmitted is 1; the model %s has what comes back only", model->name);
+  ExactTables tables(context, {options.exact_events, EXACT_SEED, options.progress, options.user});
   std::vector<Profile> profiles;
   for (uint32_t c = 0; c < slab.channels; c++) {
-    profiles.push_back(model->prepare({slab, options, c}));
+    profiles.push_back(model->prepare({slab, options, c, tables}));
     require_length(profiles.back(), c);
   }
   return profiles;

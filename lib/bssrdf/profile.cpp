@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bssrdf/integrate.hpp"
+#include "bssrdf/monotone.hpp"
 #include "core/pi.hpp"
 
 namespace tyn {
@@ -43,10 +44,9 @@ double table_value(const Profile &p, double x) {
     (sampler_border(middle) <= x ? k : end) = middle;
   }
   const double *from = &p.terms[2 * (k - 1)], *to = from + 2;
-  const double begin = sampler_border(k), width = sampler_border(k + 1) - begin, t = (x - begin) / width;
-  const double rise = to[0] - from[0], rise_0 = from[1] * width, rise_1 = to[1] * width;
-  const double c2 = 3 * rise - 2 * rise_0 - rise_1, c3 = rise_0 + rise_1 - 2 * rise;
-  return p.flux * std::exp(((c3 * t + c2) * t + rise_0) * t + from[0]);
+  const double borders[] = {sampler_border(k), sampler_border(k + 1)};
+  const double values[] = {from[0], to[0]}, slopes[] = {from[1], to[1]};
+  return p.flux * std::exp(hermite(borders, values, slopes, x));
 }
 
 // int 2 pi x R dx from `begin` to `end`.
@@ -69,22 +69,6 @@ std::vector<double> ring_integrals(const Profile &p) {
 }
 
 double sum(const std::vector<double> &values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-// Slopes of the monotone cubics through points (Fritsch & Carlson 1980, with the mean of Brodlie 1980).
-std::vector<double> monotone_slopes(const std::vector<double> &x, const std::vector<double> &y) {
-  const size_t n = x.size();
-  std::vector<double> secant(n - 1), slope(n);
-  for (size_t i = 0; i + 1 < n; i++)
-    secant[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-  slope[0] = secant[0];
-  slope[n - 1] = secant[n - 2];
-  for (size_t i = 1; i + 1 < n; i++) {
-    const double h0 = x[i] - x[i - 1], h1 = x[i + 1] - x[i], a = (h0 + 2 * h1) / (3 * (h0 + h1));
-    const double product = secant[i - 1] * secant[i];
-    slope[i] = product > 0 ? product / (a * secant[i] + (1 - a) * secant[i - 1]) : 0;
-  }
-  return slope;
-}
 
 } // namespace
 
@@ -180,6 +164,22 @@ double profile_value(const Profile &p, double x) {
   default:
     return p.count ? table_value(p, x) : 0;
   }
+}
+
+double profile_error(const Profile &p, double x) {
+  if (p.errors.empty())
+    return 0;
+  uint32_t k = 0;
+  while (k + 1 < p.count && sampler_border(k + 1) < x)
+    k++;
+  return p.errors[k];
+}
+
+void scale_profile(Profile &p, double factor) {
+  p.flux *= factor;
+  p.albedo *= factor;
+  for (double &ring : p.rings)
+    ring *= factor;
 }
 
 double sampler_border(uint32_t k) {

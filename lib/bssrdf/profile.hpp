@@ -18,8 +18,9 @@ struct Profile {
   double falloff = 0, flux = 0, fluence = 0;
   std::vector<double> terms; // `count` groups
   uint32_t count = 0;
-  double albedo = 0;         // int 2 pi r R(r) dr; 0: nothing comes back
-  std::vector<double> rings; // TABLE: the parts of that integral in each of the sampler's cells
+  double albedo = 0;          // int 2 pi r R(r) dr; 0: nothing comes back
+  std::vector<double> rings;  // TABLE: the parts of that integral in each of the sampler's cells
+  std::vector<double> errors; // TABLE: relative standard errors at the groups of terms; empty: none
 };
 
 // A point source at depth z_r and its mirror image, in units of the profile's length.
@@ -47,6 +48,12 @@ Profile profile_of_exponentials(double length, double albedo);
 // `value`: R length^2 at x = r / length. Below 2^-12 it stays what it is there, or falls like 1 / x; beyond 2^12 it falls like
 // exp(-falloff x) / x^3.
 Profile profile_of_table(double length, const std::function<double(double)> &value, bool diverges, double falloff);
+
+// The relative standard error of that.
+double profile_error(const Profile &profile, double x);
+
+// Multiplies R.
+void scale_profile(Profile &profile, double factor);
 
 // Where nothing is scattered.
 Profile black_profile();

@@ -85,6 +85,8 @@ struct TynContext {
   // Bytes that may still be allocated under the memory limit, and the largest single buffer.
   uint64_t memory_available() const;
   uint64_t largest_buffer() const;
+  // Of what is kept between runs; "": nothing is.
+  const std::string &cache_folder() const { return cache_directory; }
   bool is_gpu() const { return device_info.is_gpu != 0; }
   uint32_t lanes() const { return device_info.lane_width; }
 

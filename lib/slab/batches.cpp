@@ -77,7 +77,9 @@ uint32_t flags_of(const Slab &slab, const TynSlabOptions &options, const std::ve
 
 } // namespace
 
-BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOptions &options) : context(context_) {
+BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOptions &options,
+                         const EscapeGrid *escapes)
+    : context(context_) {
   base.seed[0] = uint32_t(options.seed);
   base.seed[1] = uint32_t(options.seed >> 32);
   base.layer_count = uint32_t(slab.layers.size());
@@ -95,6 +97,8 @@ BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOp
   for (const SlabLayer &layer : slab.layers)
     records.push_back(phase_tables.add(layer.phase));
   base.flags = flags_of(slab, options, records);
+  if (escapes)
+    add_escapes(*escapes);
   phases = upload(context, records);
   tables = upload(context, phase_tables.data);
   for (uint32_t c = 0; c < slab.channels; ++c) {
@@ -109,6 +113,14 @@ BatchEngine::BatchEngine(TynContext &context_, const Slab &slab, const TynSlabOp
   upload_sweep(slab, options);
 
   allocate_tallies();
+}
+
+void BatchEngine::add_escapes(const EscapeGrid &escapes) {
+  base.flags |= TYN_SLAB_LATERAL | TYN_SLAB_ESCAPES;
+  base.escapes = base.tally_count;
+  base.escape_first_radius = escapes.first_radius;
+  base.escape_radii = escapes.radii;
+  base.tally_count += uint32_t(escapes.cells());
 }
 
 // Room for some batches at once: on a CPU a batch is what a work-item does, so that there have to be a few for each core.

@@ -11,9 +11,20 @@
 
 namespace tyn {
 
+// The tallies of escapes (TYN_ESCAPE_* in kernels/shared_slab.h).
+struct EscapeGrid {
+  uint32_t orders;       // numbers of orders, from order 1 on
+  uint32_t first_radius; // number of the first radius
+  uint32_t radii;
+
+  size_t cells() const { return size_t(orders) * radii * TYN_ESCAPE_ANGLES; }
+};
+
 class BatchEngine {
 public:
-  BatchEngine(TynContext &context, const Slab &slab, const TynSlabOptions &options);
+  // `escapes`: not nullptr if they are to be counted, in place of bins.
+  BatchEngine(TynContext &context, const Slab &slab, const TynSlabOptions &options,
+              const EscapeGrid *escapes = nullptr);
 
   // Compiles the kernels.
   void prepare();
@@ -29,6 +40,7 @@ public:
 private:
   void set_incidence(const Slab &slab, const TynSlabOptions &options);
   void upload_layers(const Slab &slab);
+  void add_escapes(const EscapeGrid &escapes);
   void upload_sweep(const Slab &slab, const TynSlabOptions &options);
   void allocate_tallies();
   void launch(size_t channel, const TynSlabParameters &parameters, uint32_t used);

@@ -191,6 +191,8 @@ const Layout &host_layout() {
       FIELD(TynSlabParameters, depth_scale), FIELD(TynSlabParameters, path_scale), FIELD(TynSlabParameters, radial),
       FIELD(TynSlabParameters, angular), FIELD(TynSlabParameters, radial_angular), FIELD(TynSlabParameters, depth),
       FIELD(TynSlabParameters, order), FIELD(TynSlabParameters, path), FIELD(TynSlabParameters, sweep),
+      FIELD(TynSlabParameters, escapes), FIELD(TynSlabParameters, escape_first_radius),
+      FIELD(TynSlabParameters, escape_radii),
       // clang-format on
   };
   return layout;

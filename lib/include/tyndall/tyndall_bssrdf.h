@@ -40,12 +40,16 @@ typedef struct TynBssrdfOptions {
   const double
       *gaussian_weights; /* GAUSSIANS: channel_count x gaussian_count, >= 0; a channel's sum, its albedo, at most 1 */
   const double *gaussian_variances; /* GAUSSIANS: as many, > 0, length^2: of x and of y; within a factor of 1e20 */
+  uint64_t exact_events; /* EXACT: scattering events that a table is made of, 1 .. 1e15; default 1.5e9 */
+  TynProgress progress;  /* EXACT: called while a table is made; may be NULL */
+  void *user;            /* passed to progress */
 } TynBssrdfOptions;
 
 static inline TynBssrdfOptions tyn_bssrdf_options(void) {
   TynBssrdfOptions options;
   memset(&options, 0, sizeof options);
   options.size = sizeof options;
+  options.exact_events = 1500000000;
   return options;
 }
 
@@ -71,6 +75,12 @@ TYN_API TynStatus tyn_bssrdf_albedo(const TynBssrdf *bssrdf, double *albedo, siz
  * constant or like 1/r, farther by its falloff; beyond 1e12 it is 0.
  * Errors here and below: INVALID_ARGUMENT (which radius), OUT_OF_MEMORY, DEVICE, KERNEL_BUILD. */
 TYN_API TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile);
+
+/* Standard errors of tyn_bssrdf_profile at `count` radii, which are > 0 and finite: of EXACT, whose tables are estimates; 0 for
+ * all other models, which are wrong in other ways. `errors`: channel_count x count, 1/length^2. Computed on the host. Where a
+ * table is continued beyond what was counted (the last factor of two or so of the radius at which R is known to 5 %) it says
+ * what it was there. */
+TYN_API TynStatus tyn_bssrdf_profile_error(TynBssrdf *bssrdf, const float *radii, size_t count, float *errors);
 
 /* Draws `count` radii with a density like R's: of a channel that is chosen in proportion to its albedo. Radius i is a function
  * of seed and first + i alone. `pdf`: density per area of the plane, 1/length^2, over all channels: what tyn_bssrdf_pdf gives.

@@ -116,7 +116,8 @@ enum {
   TYN_BSSRDF_GAUSSIANS = 5,             /* the caller's */
   TYN_BSSRDF_SINGLE_SCATTERING = 6,     /* Hanrahan & Krueger 1993; the top layer's alone */
   TYN_BSSRDF_QUANTIZED_DIFFUSION = 7,   /* d'Eon & Irving 2011; without single scattering */
-  TYN_BSSRDF_MODEL_COUNT = 8
+  TYN_BSSRDF_EXACT = 9,                 /* tables of the slab engine's walks */
+  TYN_BSSRDF_MODEL_COUNT = 10
 };
 
 /* What the fit of normalized diffusion was made for (Christensen & Burley 2015). */
