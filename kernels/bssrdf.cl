@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Profiles of BSSRDF models in bulk: values, radii, densities. A work-item has a row of TYN_BSSRDF_ROW x TYN_LANES radii;
-// results of several channels are stored channel by channel.
+// BSSRDF models in bulk: profiles, radii, densities, values. A work-item has a row of TYN_BSSRDF_ROW x TYN_LANES radii or
+// paths; results of several channels are stored channel by channel.
+#include "bssrdf_directions.clh"
 #include "bssrdf_profile.clh"
 #include "bssrdf_sample.clh"
 #include "random.clh"
@@ -48,6 +49,17 @@ kernel void bssrdf_profile(global const TynProfileRecord *records, global const 
       TynProfileRecord record = records[c];
       store_lanes(profile + c * count, first, count, profile_value(record, terms, radius * record.per_length));
     }
+  }
+}
+
+kernel void bssrdf_evaluate(global const TynProfileRecord *records, global const float *terms, uint channels,
+                            global const TynBssrdfPath *paths, ulong count, global float *values) {
+  size_t first = get_global_id(0) * TYN_BSSRDF_ROW * TYN_LANES;
+  for (uint i = 0u; i < TYN_BSSRDF_ROW && first < count; ++i, first += TYN_LANES) {
+    BssrdfPoints points;
+    bssrdf_points_load(&points, paths, first, count);
+    for (uint c = 0u; c < channels; ++c)
+      store_lanes(values + c * count, first, count, bssrdf_value(records[c], terms, &points));
   }
 }
 

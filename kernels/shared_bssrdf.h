@@ -21,6 +21,34 @@
 #define TYN_PROFILE_EXPONENTIALS 2u
 #define TYN_PROFILE_TABLE 3u
 
+// How S depends on the directions: it is F_t(w_i) F_t(w_o) lobe times
+//   SEPARABLE     R of the distance; no more terms
+//   DIPOLE        the directional dipole's value, whose terms are numbered by TYN_DIPOLE_* below
+//   TABLE         R of the distance, times q(w_i) q(w_o) / q(normal): see TYN_ANGLES_* below
+//   THROUGH       R of the distance across the entry's normal: light leaves on a slab's other side; no more terms
+#define TYN_DIRECTIONS_SEPARABLE 0u
+#define TYN_DIRECTIONS_DIPOLE 1u
+#define TYN_DIRECTIONS_TABLE 2u
+#define TYN_DIRECTIONS_THROUGH 3u
+
+// In units of the record's length.
+#define TYN_DIPOLE_DIFFUSION 0u  // D
+#define TYN_DIPOLE_FALLOFF 1u    // sigma_tr
+#define TYN_DIPOLE_C_PHI 2u      // of the exitance, C_phi(eta)
+#define TYN_DIPOLE_C_E 3u        // C_E(eta)
+#define TYN_DIPOLE_EXTENSION 4u  // d_e
+#define TYN_DIPOLE_SEPARATION 5u // 2 A d_e: from the source to its image
+#define TYN_DIPOLE_BACKLIT 6u    // (1 / (3 sigma_t))^2
+#define TYN_DIPOLE_TERMS 7u
+
+// A table q of where light that got in perpendicularly leaves to, over the lobe of diffuse light: rows for radii x in steps of half
+// an octave, each with a value in the middle of every eighth of the squared cosine outside; bilinear between.
+#define TYN_ANGLES_FIRST 0u // log2 x of the first row
+#define TYN_ANGLES_ROWS 1u
+#define TYN_ANGLES_VALUES 2u // 8 a row
+#define TYN_ANGLES_ROWS_PER_OCTAVE 2
+#define TYN_ANGLES_COLUMNS 8
+
 typedef struct TynProfileRecord {
   uint32_t kind;    // TYN_PROFILE_*
   uint32_t first;   // of the terms, in floats
@@ -32,9 +60,14 @@ typedef struct TynProfileRecord {
   float falloff;    // see above
   float flux;       // see above
   float fluence;
-  float albedo;     // int 2 pi r R(r) dr
-  float chance;     // with which this channel's radius is drawn: in proportion to the albedo
-} TynProfileRecord; // 48 bytes
+  float albedo;        // int 2 pi r R(r) dr
+  float chance;        // with which this channel's radius is drawn: in proportion to the albedo
+  float ior;           // index of refraction inside over outside, where light gets in
+  float exit_ior;      // the same where it leaves
+  float lobe;          // 1 / (pi c), c = 2 int_0^1 F_t(mu) mu dmu of light from outside, where it leaves
+  uint32_t directions; // TYN_DIRECTIONS_*
+  uint32_t more;       // of the terms that the directions add, in floats
+} TynProfileRecord;    // 68 bytes
 
 // Radii that one lane of a work-item goes through.
 #define TYN_BSSRDF_ROW 16u

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bssrdf/diffusion.hpp"
 #include "core/argument.hpp"
 #include "core/pi.hpp"
 
@@ -25,6 +26,9 @@ std::vector<double> gaussian_chances(const Profile &profile) {
     chances.push_back(chances.back() + pi * profile.terms[2 * i] / profile.terms[2 * i + 1] / profile.albedo);
   return chances;
 }
+
+// Of a lobe of radiance whose exitance is 1: light that is diffuse inside, as far as the boundary lets it out.
+double lobe(double ior) { return 1 / (pi * (1 - 2 * fresnel_moments(1 / ior).c1)); }
 
 TynProfileRecord record_of(const Profile &profile, double all_albedos, std::vector<float> &terms) {
   TynProfileRecord record{};
@@ -45,21 +49,30 @@ TynProfileRecord record_of(const Profile &profile, double all_albedos, std::vect
     append(terms, gaussian_chances(profile));
   else if (profile.albedo > 0 && profile.kind != TYN_PROFILE_EXPONENTIALS)
     append(terms, sampler_chances(profile));
+  record.directions = profile.directions;
+  record.more = uint32_t(terms.size());
+  append(terms, profile.more);
   return record;
 }
 
 } // namespace
 } // namespace tyn
 
-TynBssrdf::TynBssrdf(TynContext &context_, std::vector<tyn::Profile> profiles_)
-    : context(context_), profiles(std::move(profiles_)) {
+TynBssrdf::TynBssrdf(TynContext &context_, tyn::PreparedBssrdf prepared)
+    : context(context_), profiles(std::move(prepared.profiles)) {
   double all_albedos = 0;
   for (const tyn::Profile &profile : profiles)
     all_albedos += profile.albedo;
+  const float lobe = float(tyn::lobe(prepared.exit_ior));
   std::vector<TynProfileRecord> host_records;
   std::vector<float> host_terms;
-  for (const tyn::Profile &profile : profiles)
-    host_records.push_back(tyn::record_of(profile, all_albedos, host_terms));
+  for (const tyn::Profile &profile : profiles) {
+    TynProfileRecord record = tyn::record_of(profile, all_albedos, host_terms);
+    record.ior = float(prepared.ior);
+    record.exit_ior = float(prepared.exit_ior);
+    record.lobe = lobe;
+    host_records.push_back(record);
+  }
   records = tyn::Buffer(context, host_records.size() * sizeof(TynProfileRecord), CL_MEM_READ_ONLY);
   context.write(records, host_records.data(), records.size());
   terms = tyn::Buffer(context, host_terms.size() * sizeof(float), CL_MEM_READ_ONLY);
@@ -85,7 +98,7 @@ TynStatus tyn_bssrdf_create(TynContext *context, const TynSlab *slab, const TynB
     return TYN_ERROR_INVALID_ARGUMENT;
   return tyn::guarded(context, [&] {
     tyn::require_pointer("bssrdf", bssrdf);
-    *bssrdf = new TynBssrdf(*context, tyn::prepare_profiles(*context, slab, options));
+    *bssrdf = new TynBssrdf(*context, tyn::prepare_bssrdf(*context, slab, options));
   });
 }
 

@@ -10,8 +10,20 @@
 #include "core/context.hpp"
 #include "tyndall/tyndall_bssrdf.h"
 
+namespace tyn {
+
+struct PreparedBssrdf {
+  std::vector<Profile> profiles; // of each channel
+  double ior, exit_ior;          // inside over outside: where light gets in and where it leaves
+};
+
+// Throws INVALID_ARGUMENT, CANCELLED.
+PreparedBssrdf prepare_bssrdf(TynContext &context, const TynSlab *slab, const TynBssrdfOptions *options);
+
+} // namespace tyn
+
 struct TynBssrdf {
-  TynBssrdf(TynContext &context, std::vector<tyn::Profile> profiles);
+  TynBssrdf(TynContext &context, tyn::PreparedBssrdf prepared);
   ~TynBssrdf() = default;
   void retain();
   void release();
@@ -26,10 +38,3 @@ struct TynBssrdf {
 private:
   std::atomic<uint32_t> references{1};
 };
-
-namespace tyn {
-
-// Throws INVALID_ARGUMENT.
-std::vector<Profile> prepare_profiles(TynContext &context, const TynSlab *slab, const TynBssrdfOptions *options);
-
-} // namespace tyn

@@ -21,12 +21,44 @@ void require_radii(const float *radii, size_t count) {
       fail(TYN_ERROR_INVALID_ARGUMENT, "radii[%zu] is %g; it must be finite and > 0", i, double(radii[i]));
 }
 
+// Without the names that a message would want, which take longer than the paths themselves.
+bool is_path(const TynBssrdfPath &path) {
+  auto finite = [](const float(&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); };
+  auto unit = [](const float(&v)[3]) {
+    const double square = double(v[0]) * double(v[0]) + double(v[1]) * double(v[1]) + double(v[2]) * double(v[2]);
+    return std::abs(std::sqrt(square) - 1) <= 1e-3;
+  };
+  return finite(path.entry_position) && unit(path.entry_normal) && unit(path.entry_direction) &&
+         finite(path.exit_position) && unit(path.exit_normal) && unit(path.exit_direction);
+}
+
+void require_path(const TynBssrdfPath &path) {
+  require_each(require_finite, "entry_position", path.entry_position);
+  require_unit("entry_normal", path.entry_normal);
+  require_unit("entry_direction", path.entry_direction);
+  require_each(require_finite, "exit_position", path.exit_position);
+  require_unit("exit_normal", path.exit_normal);
+  require_unit("exit_direction", path.exit_direction);
+}
+
+void require_paths(const TynBssrdfPath *paths, size_t count) {
+  require_pointer("paths", paths);
+  for (size_t i = 0; i < count; i++)
+    if (!is_path(paths[i])) {
+      try {
+        require_path(paths[i]);
+      } catch (const Failure &failure) {
+        fail(failure.status, "paths[%zu]: %s", i, failure.what());
+      }
+    }
+}
+
 // Batches of what fits the memory, each with `values` floats an element.
 size_t batch_size(const TynContext &context, size_t count, size_t values) {
   const uint64_t fits = std::min(context.memory_available(), context.largest_buffer()) / (values * sizeof(float));
   const uint64_t batch = std::min<uint64_t>({count, std::max<uint64_t>(MOST / values, 1), fits});
   if (batch == 0)
-    fail(TYN_ERROR_OUT_OF_MEMORY, "the memory limit leaves %llu bytes of device memory: not enough for one radius",
+    fail(TYN_ERROR_OUT_OF_MEMORY, "the memory limit leaves %llu bytes of device memory: not enough for one value",
          static_cast<unsigned long long>(context.memory_available()));
   return size_t(batch);
 }
@@ -42,10 +74,10 @@ void for_batches(size_t count, size_t batch, F &&f) {
     f(first, std::min(batch, count - first));
 }
 
-// `kernel`: bssrdf_profile or bssrdf_density.
-void launch(TynBssrdf &bssrdf, const char *kernel, cl_mem radii, size_t count, cl_mem values) {
+// `kernel`: bssrdf_profile or bssrdf_density, of radii; bssrdf_evaluate, of paths.
+void launch(TynBssrdf &bssrdf, const char *kernel, cl_mem inputs, size_t count, cl_mem values) {
   bssrdf.context.launch("bssrdf", kernel, item_count(bssrdf.context, count), 1, bssrdf.records, bssrdf.terms,
-                        bssrdf.channels(), radii, cl_ulong(count), values);
+                        bssrdf.channels(), inputs, cl_ulong(count), values);
 }
 
 void launch_sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii, cl_mem pdf,
@@ -56,13 +88,14 @@ void launch_sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first, size_t coun
                         radii, pdf, weights ? weights : pdf, uint32_t(weights != nullptr));
 }
 
-// What a kernel makes of radii: `rows` values of each.
-void evaluate(TynBssrdf &bssrdf, const char *kernel, const float *radii, size_t count, uint32_t rows, float *values) {
+// What a kernel makes of radii or paths: `rows` values of each.
+template <class Input>
+void evaluate(TynBssrdf &bssrdf, const char *kernel, const Input *inputs, size_t count, uint32_t rows, float *values) {
   TynContext &context = bssrdf.context;
-  const size_t batch = batch_size(context, count, 1 + size_t(rows));
-  Buffer in(context, batch * sizeof(float), CL_MEM_READ_ONLY), out(context, batch * rows * sizeof(float));
+  const size_t batch = batch_size(context, count, sizeof(Input) / sizeof(float) + rows);
+  Buffer in(context, batch * sizeof(Input), CL_MEM_READ_ONLY), out(context, batch * rows * sizeof(float));
   for_batches(count, batch, [&](size_t first, size_t size) {
-    context.write(in, radii + first, size * sizeof(float));
+    context.write(in, inputs + first, size * sizeof(Input));
     launch(bssrdf, kernel, in.get(), size, out.get());
     for (uint32_t row = 0; row < rows; row++)
       context.read(out, values + row * count + first, size * sizeof(float), row * size * sizeof(float));
@@ -90,9 +123,9 @@ void require_float_buffer(TynBssrdf &bssrdf, const char *name, cl_mem buffer, si
   require_buffer(bssrdf.context, name, buffer, count, sizeof(float));
 }
 
-// At the C boundary: nothing is checked or done for no radii.
+// At the C boundary: nothing is checked or done for no radii or paths.
 template <class Body>
-TynStatus for_radii(TynBssrdf *bssrdf, size_t count, Body &&body) {
+TynStatus for_count(TynBssrdf *bssrdf, size_t count, Body &&body) {
   if (!bssrdf)
     return TYN_ERROR_INVALID_ARGUMENT;
   return guarded(&bssrdf->context, [&] {
@@ -107,7 +140,7 @@ TynStatus for_radii(TynBssrdf *bssrdf, size_t count, Body &&body) {
 using namespace tyn;
 
 TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_radii(radii, count);
     require_pointer("profile", profile);
     evaluate(*bssrdf, "bssrdf_profile", radii, count, bssrdf->channels(), profile);
@@ -129,16 +162,24 @@ TynStatus tyn_bssrdf_profile_error(TynBssrdf *bssrdf, const float *radii, size_t
 }
 
 TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t count, float *pdf) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_radii(radii, count);
     require_pointer("pdf", pdf);
     evaluate(*bssrdf, "bssrdf_density", radii, count, 1, pdf);
   });
 }
 
+TynStatus tyn_bssrdf_evaluate(TynBssrdf *bssrdf, const TynBssrdfPath *paths, size_t count, float *values) {
+  return for_count(bssrdf, count, [&] {
+    require_paths(paths, count);
+    require_pointer("values", values);
+    evaluate(*bssrdf, "bssrdf_evaluate", paths, count, bssrdf->channels(), values);
+  });
+}
+
 TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, float *radii, float *pdf,
                             float *weights) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_pointer("radii", radii);
     require_pointer("pdf", pdf);
     sample(*bssrdf, seed, first, count, radii, pdf, weights);
@@ -146,7 +187,7 @@ TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, si
 }
 
 TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem profile) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_float_buffer(*bssrdf, "radii", radii, count);
     require_float_buffer(*bssrdf, "profile", profile, count * bssrdf->channels());
     launch(*bssrdf, "bssrdf_profile", radii, count, profile);
@@ -154,8 +195,17 @@ TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, c
   });
 }
 
+TynStatus tyn_bssrdf_evaluate_cl(TynBssrdf *bssrdf, cl_mem paths, size_t count, cl_mem values) {
+  return for_count(bssrdf, count, [&] {
+    require_buffer(bssrdf->context, "paths", paths, count, sizeof(TynBssrdfPath));
+    require_float_buffer(*bssrdf, "values", values, count * bssrdf->channels());
+    launch(*bssrdf, "bssrdf_evaluate", paths, count, values);
+    bssrdf->context.flush();
+  });
+}
+
 TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem pdf) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_float_buffer(*bssrdf, "radii", radii, count);
     require_float_buffer(*bssrdf, "pdf", pdf, count);
     launch(*bssrdf, "bssrdf_density", radii, count, pdf);
@@ -165,7 +215,7 @@ TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_me
 
 TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii, cl_mem pdf,
                                cl_mem weights) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_float_buffer(*bssrdf, "radii", radii, count);
     require_float_buffer(*bssrdf, "pdf", pdf, count);
     if (weights)

@@ -4,6 +4,7 @@
 // for every albedo (escape_light.hpp). Totals are those of adding and doubling.
 #include <cmath>
 
+#include "bssrdf/escape_angles.hpp"
 #include "bssrdf/exact_table.hpp"
 #include "bssrdf/model.hpp"
 #include "bssrdf/ring_curve.hpp"
@@ -55,6 +56,11 @@ Profile exact(const BssrdfInput &input) {
   };
   Profile profile = profile_of_table(length, value, true, multiple.falloff() * paths);
   profile.errors = errors;
+  const double absorption = input.sigma_a() / sigma_t;
+  profile.directions = TYN_DIRECTIONS_TABLE;
+  profile.more = angle_terms(table.escapes.grid, light,
+                             SingleScattering(1 - absorption, absorption, input.ior(), INFINITY, input.top().phase),
+                             input.ior(), paths);
   scale_profile(profile, (light.sum() + single.half_space_albedo()) / profile.albedo);
   return profile;
 }

@@ -47,6 +47,7 @@ Profile normalized_diffusion(const BssrdfInput &input);
 Profile gaussians(const BssrdfInput &input);
 Profile single_scattering(const BssrdfInput &input);
 Profile quantized_diffusion(const BssrdfInput &input);
+Profile directional_dipole(const BssrdfInput &input);
 Profile exact(const BssrdfInput &input);
 
 } // namespace tyn

@@ -17,6 +17,7 @@ const BssrdfModel models[] = {
     {"gaussians", true, gaussians},
     {"single-scattering", true, single_scattering},
     {"quantized-diffusion", false, quantized_diffusion},
+    {"directional-dipole", false, directional_dipole},
     {"exact", false, exact},
 };
 static_assert(sizeof models / sizeof models[0] == TYN_BSSRDF_MODEL_COUNT, "a row for each TYN_BSSRDF_*");

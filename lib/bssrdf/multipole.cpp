@@ -89,7 +89,9 @@ Profile multipole(const BssrdfInput &input) {
   const Images images(medium.albedo, thickness, internal_reflection_fit(input.ior()),
                       internal_reflection_fit(input.top().ior / input.slab.ior_below), input.options.transmitted != 0);
   auto value = [&](double x) { return std::max(images.exitance(x), 0.0); };
-  return profile_of_table(length, value, false, images.slowest());
+  Profile profile = profile_of_table(length, value, false, images.slowest());
+  profile.directions = input.options.transmitted ? TYN_DIRECTIONS_THROUGH : TYN_DIRECTIONS_SEPARABLE;
+  return profile;
 }
 
 } // namespace tyn

@@ -63,7 +63,7 @@ void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, con
 
 } // namespace
 
-std::vector<Profile> prepare_profiles(TynContext &context, const TynSlab *given_slab, const TynBssrdfOptions *given) {
+PreparedBssrdf prepare_bssrdf(TynContext &context, const TynSlab *given_slab, const TynBssrdfOptions *given) {
   const TynBssrdfOptions options = read_struct("TynBssrdfOptions", given, tyn_bssrdf_options());
   const BssrdfModel *model = find_model(options.model);
   if (!model)
@@ -81,12 +81,13 @@ std::vector<Profile> prepare_profiles(TynContext &context, const TynSlab *given_
   if (options.transmitted && options.model != TYN_BSSRDF_MULTIPOLE)
     fail(TYN_ERROR_INVALID_ARGUMENT, "transmitted is 1; the model %s has what comes back only", model->name);
   ExactTables tables(context, {options.exact_events, EXACT_SEED, options.progress, options.user});
-  std::vector<Profile> profiles;
+  const double ior = slab.layers[0].ior;
+  PreparedBssrdf prepared{{}, ior / slab.ior_above, ior / (options.transmitted ? slab.ior_below : slab.ior_above)};
   for (uint32_t c = 0; c < slab.channels; c++) {
-    profiles.push_back(model->prepare({slab, options, c, tables}));
-    require_length(profiles.back(), c);
+    prepared.profiles.push_back(model->prepare({slab, options, c, tables}));
+    require_length(prepared.profiles.back(), c);
   }
-  return profiles;
+  return prepared;
 }
 
 } // namespace tyn

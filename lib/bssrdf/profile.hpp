@@ -18,9 +18,11 @@ struct Profile {
   double falloff = 0, flux = 0, fluence = 0;
   std::vector<double> terms; // `count` groups
   uint32_t count = 0;
-  double albedo = 0;          // int 2 pi r R(r) dr; 0: nothing comes back
-  std::vector<double> rings;  // TABLE: the parts of that integral in each of the sampler's cells
-  std::vector<double> errors; // TABLE: relative standard errors at the groups of terms; empty: none
+  double albedo = 0;                              // int 2 pi r R(r) dr; 0: nothing comes back
+  std::vector<double> rings;                      // TABLE: the parts of that integral in each of the sampler's cells
+  std::vector<double> errors;                     // TABLE: relative standard errors at the groups of terms; empty: none
+  uint32_t directions = TYN_DIRECTIONS_SEPARABLE; // TYN_DIRECTIONS_*
+  std::vector<double> more;                       // the terms that these add
 };
 
 // A point source at depth z_r and its mirror image, in units of the profile's length.

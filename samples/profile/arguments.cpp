@@ -42,7 +42,7 @@ Examples:
       a sum of Gaussians, for which the medium does not matter
 
 Models: standard-dipole, better-dipole, photon-beam-diffusion, multipole, normalized-diffusion, gaussians,
-single-scattering, quantized-diffusion. Slabs of finite thickness: multipole, gaussians,
+single-scattering, quantized-diffusion, directional-dipole. Slabs of finite thickness: multipole, gaussians,
 single-scattering. Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in:
 what the surface reflects is apart.
 

@@ -53,6 +53,11 @@ const Layout &host_layout() {
       FIELD(TynWalkExit, shading_normal), FIELD(TynWalkExit, u), FIELD(TynWalkExit, uv),
       FIELD(TynWalkExit, v), FIELD(TynWalkExit, reserved),
 
+      RECORD(TynBssrdfPath),
+      FIELD(TynBssrdfPath, entry_position), FIELD(TynBssrdfPath, entry_normal),
+      FIELD(TynBssrdfPath, entry_direction), FIELD(TynBssrdfPath, exit_position),
+      FIELD(TynBssrdfPath, exit_normal), FIELD(TynBssrdfPath, exit_direction),
+
       RECORD(TynBvhNode),
       FIELD(TynBvhNode, bounds), FIELD(TynBvhNode, child),
 
@@ -174,6 +179,11 @@ const Layout &host_layout() {
       FIELD(TynProfileRecord, fluence),
       FIELD(TynProfileRecord, albedo),
       FIELD(TynProfileRecord, chance),
+      FIELD(TynProfileRecord, ior),
+      FIELD(TynProfileRecord, exit_ior),
+      FIELD(TynProfileRecord, lobe),
+      FIELD(TynProfileRecord, directions),
+      FIELD(TynProfileRecord, more),
 
       RECORD(TynSlabLayerRecord),
       FIELD(TynSlabLayerRecord, mean_free_path), FIELD(TynSlabLayerRecord, albedo), FIELD(TynSlabLayerRecord, g),
@@ -287,6 +297,8 @@ TEST(SharedStructs, HaveTheSameLayoutOnHostAndDevice) {
 TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynWalkEntry), 96u);
   EXPECT_EQ(sizeof(TynWalkExit), 96u);
+  EXPECT_EQ(sizeof(TynBssrdfPath), 72u);
+  EXPECT_EQ(sizeof(TynProfileRecord), 68u);
   EXPECT_EQ(sizeof(TynBvhNode), 224u);
   EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
   EXPECT_EQ(sizeof(TynTriangleRecord), 24u);

@@ -116,9 +116,21 @@ enum {
   TYN_BSSRDF_GAUSSIANS = 5,             /* the caller's */
   TYN_BSSRDF_SINGLE_SCATTERING = 6,     /* Hanrahan & Krueger 1993; the top layer's alone */
   TYN_BSSRDF_QUANTIZED_DIFFUSION = 7,   /* d'Eon & Irving 2011; without single scattering */
+  TYN_BSSRDF_DIRECTIONAL_DIPOLE = 8, /* Frisvad, Hachisuka, Kjeldsen 2014; without their separate single scattering */
   TYN_BSSRDF_EXACT = 9,                 /* tables of the slab engine's walks */
   TYN_BSSRDF_MODEL_COUNT = 10
 };
+
+/* Light that arrives at a point of a surface and leaves at another, for tyn_bssrdf_evaluate: 72 bytes. Both directions are those
+ * in which light travels. Normals and directions have unit length; normals point outside. */
+typedef struct TynBssrdfPath {
+  float entry_position[3];  /* x_i, scene units */
+  float entry_normal[3];    /* n_i */
+  float entry_direction[3]; /* w_i, towards the surface from outside: against the normal */
+  float exit_position[3];   /* x_o, scene units */
+  float exit_normal[3];     /* n_o */
+  float exit_direction[3];  /* w_o, away from the surface: on the normal's side */
+} TynBssrdfPath;
 
 /* What the fit of normalized diffusion was made for (Christensen & Burley 2015). */
 enum {
