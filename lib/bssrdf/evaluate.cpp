@@ -148,7 +148,7 @@ TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count
 }
 
 TynStatus tyn_bssrdf_profile_error(TynBssrdf *bssrdf, const float *radii, size_t count, float *errors) {
-  return for_radii(bssrdf, count, [&] {
+  return for_count(bssrdf, count, [&] {
     require_radii(radii, count);
     require_pointer("errors", errors);
     for (uint32_t c = 0; c < bssrdf->channels(); c++) {

@@ -49,6 +49,8 @@ TEST(BadBssrdf, IsNotCreated) {
       {[](Problem &p) { p.options.model = 99; }, "standard-dipole, better-dipole"},
       {[](Problem &p) { p.options.size = 3; }, "TynBssrdfOptions::size"},
       {[](Problem &p) { p.options.fit = 3; }, "fit is 3"},
+      {[](Problem &p) { p.options.exact_events = 0; }, "exact_events is 0"},
+      {[](Problem &p) { p.options.exact_events = UINT64_MAX; }, "it must be in 1 .. 1e15"},
       {[](Problem &p) { p.options.transmitted = 2; }, "transmitted is 2"},
       {[](Problem &p) { p.slab.layer_count = 2, p.layers[0].thickness = 1; }, "takes 1 layer"},
       {[](Problem &p) { p.layers[0].thickness = 1; }, "half-spaces"},

@@ -11,6 +11,11 @@
 #include "slab/gauss.hpp"
 
 namespace tyn_test {
+namespace {
+
+constexpr uint64_t FEW_EVENTS = 20000000; // of an exact table, where its precision does not matter
+
+} // namespace
 
 BssrdfModel::BssrdfModel(const TynSlab &slab, const TynBssrdfOptions &options, TynContext *context)
     : channel_count(slab.channel_count) {
@@ -34,6 +39,12 @@ std::vector<float> BssrdfModel::profile(const std::vector<float> &radii) const {
   return profile;
 }
 
+std::vector<float> BssrdfModel::profile_error(const std::vector<float> &radii) const {
+  std::vector<float> errors(radii.size() * channel_count);
+  EXPECT_EQ(tyn_bssrdf_profile_error(handle.get(), radii.data(), radii.size(), errors.data()), TYN_OK);
+  return errors;
+}
+
 std::vector<float> BssrdfModel::pdf(const std::vector<float> &radii) const {
   std::vector<float> pdf(radii.size());
   EXPECT_EQ(tyn_bssrdf_pdf(handle.get(), radii.data(), radii.size(), pdf.data()), TYN_OK);
@@ -53,6 +64,7 @@ BssrdfModel half_space_model(uint32_t model, double albedo, double ior, double g
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = model;
   options.fit = fit;
+  options.exact_events = FEW_EVENTS;
   // sigma_a + sigma_s (1 - g) = sigma_t
   ExactSlab slab({{(1 - albedo) * sigma_t, albedo * sigma_t / (1 - g), g, ior, INFINITY}});
   return BssrdfModel(slab.view(), options);

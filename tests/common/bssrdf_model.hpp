@@ -28,6 +28,7 @@ public:
   size_t channels() const { return channel_count; }
   std::vector<double> albedo() const;
   std::vector<float> profile(const std::vector<float> &radii) const;
+  std::vector<float> profile_error(const std::vector<float> &radii) const;
   std::vector<float> pdf(const std::vector<float> &radii) const;
   BssrdfSamples sample(uint64_t seed, uint64_t first, size_t count) const;
   const TynBssrdf *get() const { return handle.get(); }

@@ -5,6 +5,7 @@
 
 #include "common/slab_run.hpp"
 #include "common/walk_scene.hpp"
+#include "slab/batches.hpp"
 
 namespace {
 
@@ -42,6 +43,25 @@ TEST_P(CheckedSlab, EverythingOfAStack) {
   const TynSlabTotals totals = simulate(slab.view(), options, context.get()).totals[0];
   EXPECT_NEAR(totals.reflectance.value + totals.transmittance.value + totals.absorbed.value + totals.cut.value, 1,
               1e-6);
+}
+
+TEST_P(CheckedSlab, EscapesOfAHalfSpace) {
+  tyn::Slab slab;
+  slab.channels = 1;
+  TynPhase phase = tyn_phase();
+  slab.layers.push_back({{0.0}, {1.0}, phase, 1.4, double(INFINITY)});
+  slab.ior_above = slab.ior_below = 1;
+  TynSlabOptions options = slab_options(30);
+  options.max_order = 15;
+  const tyn::EscapeGrid grid{32, 1000, 40};
+  tyn::BatchEngine engine(*context.get(), slab, options, &grid);
+  const int64_t *tallies = engine.walk(0, 0, 30, 30);
+  int64_t back = 0;
+  for (size_t i = 0; i < grid.cells(); ++i)
+    back += tallies[engine.parameters().escapes + i];
+  EXPECT_GT(back, 0);
+  EXPECT_EQ(back * int64_t(TYN_SLAB_WEIGHT_SCALE * engine.parameters().start[3] + 0.5f) + tallies[TYN_SLAB_TALLY_CUT],
+            30 * int64_t(TYN_SLAB_WEIGHT_SCALE * engine.parameters().start[3] + 0.5f));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, CheckedSlab, testing::Values(1u, 4u));

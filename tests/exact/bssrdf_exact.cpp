@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tyndall authors
+// SPDX-License-Identifier: Apache-2.0
+// The exact model against closed forms, and S against its own profile.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "common/bssrdf_model.hpp"
+#include "common/walk_scene.hpp"
+#include "tyndall/tyndall_exact.h"
+
+namespace {
+
+using namespace tyn_test;
+
+// Isotropic scattering, matched index: 1 - H(1) sqrt(1 - albedo) (Chandrasekhar 1960, section 33), R -> 1 in a white medium.
+TEST(ExactBssrdf, HasTheAlbedosOfChandrasekhar) {
+  for (double albedo : {1e-3, 0.1, 0.5, 0.77, 0.9, 0.99, 0.999, 0.9999, 1.0}) {
+    const double one = 1;
+    double h = 0;
+    ASSERT_EQ(tyn_chandrasekhar_h(albedo, &one, 1, &h), TYN_OK);
+    const double expected = 1 - h * std::sqrt(1 - albedo);
+    EXPECT_NEAR(half_space_model(TYN_BSSRDF_EXACT, albedo).albedo()[0], expected, 1e-4 * expected) << albedo;
+  }
+}
+
+// Nothing but single scattering is left in a dark medium, and near the beam: sigma_s p(-1) / r at the centre (Hanrahan & Krueger
+// 1993 for one order).
+TEST(ExactBssrdf, IsSingleScatteringNearTheBeam) {
+  const std::vector<float> radii = {1e-4f, 1e-3f};
+  const std::vector<float> exact = half_space_model(TYN_BSSRDF_EXACT, 0.8).profile(radii);
+  const std::vector<float> single = half_space_model(TYN_BSSRDF_SINGLE_SCATTERING, 0.8).profile(radii);
+  EXPECT_NEAR(double(exact[0]) / double(single[0]), 1, 2e-3);
+  EXPECT_NEAR(double(exact[1]) / double(single[1]), 1, 2e-2);
+  EXPECT_GT(exact[1], single[1]);
+}
+
+// A white medium's light falls like r^-3, as that of a source and its image does.
+TEST(ExactBssrdf, FallsAsADipoleDoesInAWhiteMedium) {
+  const std::vector<float> radii = {300, 600, 1200, 2400};
+  const std::vector<float> profile = half_space_model(TYN_BSSRDF_EXACT, 1).profile(radii);
+  for (size_t i = 1; i < radii.size(); ++i)
+    EXPECT_NEAR(double(profile[i - 1]) / double(profile[i]), 8, 0.05) << radii[i];
+}
+
+} // namespace
