@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bssrdf_model.hpp"
+#include "common/bssrdf_paths.hpp"
 #include "common/walk_scene.hpp"
 
 namespace {
@@ -111,10 +112,15 @@ TEST(BadBssrdf, NullArguments) {
   EXPECT_EQ(tyn_bssrdf_pdf(made, &value, 1, nullptr), TYN_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(tyn_bssrdf_sample(made, 0, 0, 1, nullptr, &value, nullptr), TYN_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(tyn_bssrdf_sample(made, 0, 0, 1, &value, nullptr, nullptr), TYN_ERROR_INVALID_ARGUMENT);
+  const TynBssrdfPath path = plane_path(1);
+  EXPECT_EQ(tyn_bssrdf_evaluate(nullptr, &path, 1, &value), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(tyn_bssrdf_evaluate(made, nullptr, 1, &value), TYN_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(tyn_bssrdf_evaluate(made, &path, 1, nullptr), TYN_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(tyn_bssrdf_albedo(made, nullptr, 2), TYN_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(tyn_bssrdf_albedo(made, &albedo, 1), TYN_ERROR_INVALID_ARGUMENT); // there are two channels
   // nothing to do
   EXPECT_EQ(tyn_bssrdf_profile(made, nullptr, 0, nullptr), TYN_OK);
+  EXPECT_EQ(tyn_bssrdf_evaluate(made, nullptr, 0, nullptr), TYN_OK);
   EXPECT_EQ(tyn_bssrdf_sample(made, 0, 0, 0, nullptr, nullptr, nullptr), TYN_OK);
   tyn_bssrdf_release(made);
 }
@@ -129,6 +135,36 @@ TEST(BadBssrdf, RadiiThatAreNone) {
     EXPECT_NE(std::string(tyn_context_message(shared_context())).find("radii[1]"), std::string::npos);
     EXPECT_EQ(tyn_bssrdf_pdf(bssrdf, radii, 2, values), TYN_ERROR_INVALID_ARGUMENT) << bad;
     EXPECT_EQ(values[0], -7);
+  }
+}
+
+TEST(BadBssrdf, PathsThatAreNone) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const struct {
+    std::function<void(TynBssrdfPath &)> spoil;
+    const char *message;
+  } cases[] = {
+      {[](TynBssrdfPath &p) { p.entry_position[1] = nan; }, "paths[1]: entry_position[1] is nan; it must be finite"},
+      {[](TynBssrdfPath &p) { p.exit_position[2] = -infinity; }, "paths[1]: exit_position[2] is -inf"},
+      {[](TynBssrdfPath &p) { p.entry_normal[2] = 1.01f; }, "paths[1]: entry_normal is (0, 0, 1.01)"},
+      {[](TynBssrdfPath &p) { p.exit_normal[2] = 0; }, "paths[1]: exit_normal is (0, 0, 0) of length 0"},
+      {[](TynBssrdfPath &p) { p.entry_direction[0] = nan; }, "paths[1]: entry_direction[0] is nan"},
+      {[](TynBssrdfPath &p) { p.entry_direction[2] = -0.99f; }, "it must have unit length"},
+      {[](TynBssrdfPath &p) { p.exit_direction[1] = infinity; }, "paths[1]: exit_direction[1] is inf"},
+      {[](TynBssrdfPath &p) { p.exit_direction[2] = 3e38f; }, "paths[1]: exit_direction is (0, 0, 3e+38)"},
+  };
+  for (uint32_t kind : {TYN_BSSRDF_STANDARD_DIPOLE, TYN_BSSRDF_DIRECTIONAL_DIPOLE}) {
+    const BssrdfModel model = half_space_model(kind, 0.9);
+    for (const auto &bad : cases) {
+      TynBssrdfPath paths[2] = {plane_path(1), plane_path(1)};
+      bad.spoil(paths[1]);
+      float values[2] = {-7, -7};
+      auto *bssrdf = const_cast<TynBssrdf *>(model.get());
+      EXPECT_EQ(tyn_bssrdf_evaluate(bssrdf, paths, 2, values), TYN_ERROR_INVALID_ARGUMENT) << bad.message;
+      const std::string message = tyn_context_message(shared_context());
+      EXPECT_NE(message.find(bad.message), std::string::npos) << message;
+      EXPECT_EQ(values[0], -7);
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// BSSRDF models in bulk, on the device's own buffers: profile values and samples a second, of one channel, beside a plain scalar
-// loop in C++ over the same shapes on one core (for the dipole and the table), in turns, in one process.
+// BSSRDF models in bulk, on the device's own buffers: profile values, samples and paths' S a second, of one channel, beside a plain
+// scalar loop in C++ over the same shapes on one core (for the dipole and the table), in turns, in one process.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -11,6 +11,7 @@
 
 #include "bssrdf/bssrdf.hpp"
 #include "common/bssrdf_model.hpp"
+#include "common/bssrdf_paths.hpp"
 #include "tyndall/tyndall_cl.h"
 
 namespace {
@@ -19,6 +20,7 @@ using namespace tyn_test;
 using Clock = std::chrono::steady_clock;
 
 constexpr size_t COUNT = size_t(1) << 22, PLAIN_COUNT = size_t(1) << 18;
+constexpr size_t PATH_COUNT = size_t(1) << 20;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -53,11 +55,13 @@ public:
   explicit Bench(const NamedModel &named)
       : model(make_model(named, 0.95, 1.4)), bssrdf(const_cast<TynBssrdf *>(model.get())), context(bssrdf->context),
         radii(context, COUNT * sizeof(float)), values(context, COUNT * sizeof(float)),
-        weights(context, COUNT * sizeof(float)),
+        weights(context, COUNT * sizeof(float)), paths(context, PATH_COUNT * sizeof(TynBssrdfPath)),
         terms(bssrdf->profiles[0].terms.begin(), bssrdf->profiles[0].terms.end()) {
     host_radii = model.sample(1, 0, COUNT).radii; // as they are where models are used
     context.write(radii, host_radii.data(), radii.size());
+    context.write(paths, random_paths(PATH_COUNT, 1, 0.01, 10).data(), paths.size());
     evaluate();
+    evaluate_paths();
     sample();
   }
 
@@ -66,6 +70,13 @@ public:
     tyn_bssrdf_profile_cl(bssrdf, radii.get(), COUNT, values.get());
     context.finish();
     return COUNT / seconds_since(start);
+  }
+
+  double evaluate_paths() {
+    const Clock::time_point start = Clock::now();
+    tyn_bssrdf_evaluate_cl(bssrdf, paths.get(), PATH_COUNT, values.get());
+    context.finish();
+    return PATH_COUNT / seconds_since(start);
   }
 
   double sample() {
@@ -91,19 +102,21 @@ private:
   BssrdfModel model;
   TynBssrdf *bssrdf;
   TynContext &context;
-  tyn::Buffer radii, values, weights;
+  tyn::Buffer radii, values, weights, paths;
   std::vector<float> host_radii, terms;
 };
 
 void compare(benchmark::State &state, const NamedModel &named) {
   Bench bench(named);
-  double values = 0, samples = 0, plain = 0;
+  double values = 0, paths = 0, samples = 0, plain = 0;
   for (auto _ : state) {
     values = std::max(values, bench.evaluate());
+    paths = std::max(paths, bench.evaluate_paths());
     samples = std::max(samples, bench.sample());
     plain = std::max(plain, bench.evaluate_plainly());
   }
   state.counters["values/s"] = values;
+  state.counters["paths/s"] = paths;
   state.counters["samples/s"] = samples;
   state.counters["plain/s"] = plain;
   state.counters["ratio"] = values / plain;

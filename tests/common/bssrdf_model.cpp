@@ -51,6 +51,12 @@ std::vector<float> BssrdfModel::pdf(const std::vector<float> &radii) const {
   return pdf;
 }
 
+std::vector<float> BssrdfModel::evaluate(const std::vector<TynBssrdfPath> &paths) const {
+  std::vector<float> values(paths.size() * channel_count);
+  EXPECT_EQ(tyn_bssrdf_evaluate(handle.get(), paths.data(), paths.size(), values.data()), TYN_OK);
+  return values;
+}
+
 BssrdfSamples BssrdfModel::sample(uint64_t seed, uint64_t first, size_t count) const {
   BssrdfSamples samples{std::vector<float>(count), std::vector<float>(count),
                         std::vector<float>(count * channel_count)};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bssrdf_model.hpp"
+#include "common/bssrdf_paths.hpp"
 #include "common/walk_scene.hpp"
 
 namespace {
@@ -18,7 +19,7 @@ TEST_P(CheckedBssrdf, OfEveryShape) {
   ContextHandle context = make_context(GetParam());
   const double weights[] = {0.3, 0.2}, variances[] = {1, 4};
   for (uint32_t kind : {TYN_BSSRDF_BETTER_DIPOLE, TYN_BSSRDF_SINGLE_SCATTERING, TYN_BSSRDF_NORMALIZED_DIFFUSION,
-                        TYN_BSSRDF_GAUSSIANS}) {
+                        TYN_BSSRDF_GAUSSIANS, TYN_BSSRDF_DIRECTIONAL_DIPOLE}) {
     TynBssrdfOptions options = tyn_bssrdf_options();
     options.model = kind;
     options.gaussian_count = 2;
@@ -29,6 +30,8 @@ TEST_P(CheckedBssrdf, OfEveryShape) {
     for (float value : model.profile({1e-9f, 2e-4f, 1.0f, 3000.0f, 1e9f}))
       EXPECT_TRUE(std::isfinite(value));
     for (float value : model.pdf({1e-9f, 2e-4f, 1.0f, 3000.0f, 1e9f}))
+      EXPECT_TRUE(std::isfinite(value));
+    for (float value : model.evaluate(random_paths(7, 1, 1e-3, 10)))
       EXPECT_TRUE(std::isfinite(value));
     for (float radius : model.sample(1, 0, 21).radii)
       EXPECT_GT(radius, 0);

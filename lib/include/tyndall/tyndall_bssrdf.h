@@ -105,8 +105,8 @@ TYN_API TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t c
  * 1e-3. Light that arrives from inside (entry_direction . entry_normal >= 0) or leaves to the inside (exit_direction .
  * exit_normal <= 0) gives 0. Where light leaves on the other side of a slab (MULTIPOLE with `transmitted`), the exit's normal is
  * that of the other side, and r is the distance perpendicular to the entry's normal.
- * `values`: not NULL, channel_count x count, finite, >= 0. Single precision: 1e-5 of R, and 1e-4 for the directional dipole out to
- * 1000 mean free paths. Points nearer than 1e-12 mean free paths count as that far from each other; beyond 1e12 S is 0; what a float
+ * `values`: not NULL, channel_count x count, finite, >= 0. Single precision: as R, and 1e-5; for the directional dipole 1e-4,
+ * and 1e-5 of what each of its two sources gives. Points nearer than 1e-12 mean free paths count as that far from each other; beyond 1e12 S is 0; what a float
  * cannot hold is its largest number. `count` 0 does nothing.
  * All models but one are reciprocal: exchanging entry and exit, and turning the directions round, gives the same bits.
  * DIRECTIONAL_DIPOLE is not: it tells the directions of light that arrives, not those of light that leaves. It is defined for
