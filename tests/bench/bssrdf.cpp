@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// BSSRDF models in bulk, on the device's own buffers: profile values, samples and paths' S a second, of one channel, beside a plain
-// scalar loop in C++ over the same shapes on one core (for the dipole and the table), in turns, in one process.
+// BSSRDF models in bulk, on the device's own buffers: profile values, samples and paths' S a second, of one channel, beside a
+// plain scalar loop in C++ over the same shapes on one core (for the dipole and the table), in turns, in one process.
 #include <benchmark/benchmark.h>
 
 #include <chrono>

@@ -15,8 +15,8 @@ namespace tyn_test {
 // `exit`, both towards +x, in radians.
 TynBssrdfPath plane_path(double r, double entry = 0, double exit = 0);
 
-// Offsets of any direction and of lengths between `nearest` and `farthest`, equally often in each decade; normals of any direction;
-// directions on the right sides, equally often in each solid angle. Fixed by the seed.
+// Offsets of any direction and of lengths between `nearest` and `farthest`, equally often in each decade; normals of any
+// direction; directions on the right sides, equally often in each solid angle. Fixed by the seed.
 std::vector<TynBssrdfPath> random_paths(size_t count, uint64_t seed, double nearest, double farthest);
 
 // With the light going the other way.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// The directional dipole against the formulas of Frisvad, Hachisuka, Kjeldsen 2014, written out once more in double precision with
-// vectors, where kernels use what follows from the plane of the image; and against figures of another program.
+// The directional dipole against the formulas of Frisvad, Hachisuka, Kjeldsen 2014, written out once more in double precision
+// with vectors, where kernels use what follows from the plane of the image; and against figures of another program.
 #include <algorithm>
 #include <cmath>
 
@@ -117,8 +117,8 @@ BssrdfModel directional_dipole(double sigma_a, double sigma_s, double g, double 
   return BssrdfModel(slab.view(), options);
 }
 
-// 4000 configurations of each of 60 media, of mean free paths from 1e-6 to 50 000. Where terms of both signs nearly cancel a float
-// keeps fewer digits.
+// 4000 configurations of each of 60 media, of mean free paths from 1e-6 to 50 000. Where terms of both signs nearly cancel a
+// float keeps fewer digits.
 TEST(DirectionalDipole, IsTheFormulaOfThePaper) {
   size_t lit = 0, behind = 0, dark = 0;
   for (double albedo : {0.1, 0.5, 0.9, 0.99, 1.0})

@@ -40,8 +40,8 @@ BssrdfModel model_between(const NamedModel &named, double albedo, double ior, do
   return BssrdfModel(slab.view(), options);
 }
 
-// int S cos over the directions that light leaves in, by Gauss-Legendre over t, mu = critical + (1 - critical) t^2, which the root
-// that F has at the critical angle does not disturb, and three azimuths.
+// int S cos over the directions that light leaves in, by Gauss-Legendre over t, mu = critical + (1 - critical) t^2, which the
+// root that F has at the critical angle does not disturb, and three azimuths.
 double exitance(const BssrdfModel &model, TynBssrdfPath path, double ior) {
   const tyn::Quadrature rule = tyn::gauss_legendre(48);
   const double critical = ior < 1 ? std::sqrt(1 - ior * ior) : 0, side = double(path.exit_normal[2]);

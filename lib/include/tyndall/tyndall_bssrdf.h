@@ -13,8 +13,9 @@
  * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations. Their albedos
  * are as good as they are: only normalized diffusion's is exact; photon beam diffusion's is 1.09 for a white, index-matched
  * medium; SINGLE_SCATTERING lacks what boundaries send back inside, the better dipole and quantized diffusion lack single
- * scattering; the directional dipole is too bright: 1.09 and 0.80 at alpha' = 0.99 and indices of 1 and 1.4 (exact: 0.78 and
- * 0.63), 0.35 and 0.19 at alpha' = 0.5, and it does not go to 0 with the scattering, but where there is none at all it is 0.
+ * scattering; the directional dipole's are far too large: 1.09 and 0.80 for alpha' = 0.99 and indices of 1 and 1.4 (exact: 0.75
+ * and 0.62), 0.35 and 0.19 for alpha' = 0.5 (0.12 and 0.05); they do not go to 0 with the scattering (0.21 and 0.12), but where
+ * there is none at all they are 0.
  *
  * Media are those of tyndall_slab.h. A half-space is a TynSlab of one infinite layer; GAUSSIANS and SINGLE_SCATTERING take one
  * layer of any thickness, MULTIPOLE one that is thicker than a reduced mean free path in every channel. N spectral channels,
@@ -30,8 +31,8 @@ extern "C" {
 #endif
 
 /* Name of a model, TYN_BSSRDF_* of tyndall_types.h: "standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole",
- * "normalized-diffusion", "gaussians", "single-scattering", "quantized-diffusion",
- * "directional-dipole"; NULL for no such model. */
+ * "normalized-diffusion", "gaussians", "single-scattering", "quantized-diffusion", "directional-dipole"; NULL for no
+ * such model. */
 TYN_API const char *tyn_bssrdf_model_name(uint32_t model);
 
 /* The model of that name; TYN_BSSRDF_MODEL_COUNT if there is none. `name`: may be NULL. */
@@ -99,15 +100,15 @@ TYN_API TynStatus tyn_bssrdf_sample(TynBssrdf *bssrdf, uint64_t seed, uint64_t f
 /* The density of tyn_bssrdf_sample at `count` radii, which are > 0 and finite, 1/length^2: int 2 pi r pdf(r) dr = 1. */
 TYN_API TynStatus tyn_bssrdf_pdf(TynBssrdf *bssrdf, const float *radii, size_t count, float *pdf);
 
-/* The BSSRDF S(x_i, w_i; x_o, w_o) of `count` paths: the radiance that leaves at x_o along w_o per unit of power that arrives at
- * x_i along w_i (arrives: what the surface reflects there is counted, too), 1/(length^2 sr).
+/* The BSSRDF S(x_i, w_i; x_o, w_o) of `count` paths: the radiance that leaves at x_o along w_o per unit of power that arrives
+ * at x_i along w_i (arrives: what the surface reflects there is counted, too), 1/(length^2 sr).
  * `paths`: not NULL; see TynBssrdfPath of tyndall_types.h. Positions are finite, normals and directions of unit length within
  * 1e-3. Light that arrives from inside (entry_direction . entry_normal >= 0) or leaves to the inside (exit_direction .
- * exit_normal <= 0) gives 0. Where light leaves on the other side of a slab (MULTIPOLE with `transmitted`), the exit's normal is
- * that of the other side, and r is the distance perpendicular to the entry's normal.
+ * exit_normal <= 0) gives 0. Where light leaves on the other side of a slab (MULTIPOLE with `transmitted`), the exit's normal
+ * is that of the other side, and r is the distance perpendicular to the entry's normal.
  * `values`: not NULL, channel_count x count, finite, >= 0. Single precision: as R, and 1e-5; for the directional dipole 1e-4,
- * and 1e-5 of what each of its two sources gives. Points nearer than 1e-12 mean free paths count as that far from each other; beyond 1e12 S is 0; what a float
- * cannot hold is its largest number. `count` 0 does nothing.
+ * and 1e-5 of what each of its two sources gives. Points nearer than 1e-12 mean free paths count as that far from each other;
+ * beyond 1e12 S is 0; what a float cannot hold is its largest number. `count` 0 does nothing.
  * All models but one are reciprocal: exchanging entry and exit, and turning the directions round, gives the same bits.
  * DIRECTIONAL_DIPOLE is not: it tells the directions of light that arrives, not those of light that leaves. It is defined for
  * curved surfaces, too; where the surface at x_o is lit from behind (n_o . w > 0, w the refracted direction), it jumps.

@@ -44,9 +44,9 @@ TYN_API TynStatus tyn_bssrdf_profile_cl(TynBssrdf *bssrdf, cl_mem radii, size_t 
 TYN_API TynStatus tyn_bssrdf_pdf_cl(TynBssrdf *bssrdf, cl_mem radii, size_t count, cl_mem pdf);
 TYN_API TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_t first, size_t count, cl_mem radii,
                                        cl_mem pdf, cl_mem weights);
-/* tyn_bssrdf_evaluate on buffers: `paths` holds `count` TynBssrdfPath, `values` receives channel_count x count floats. Enqueued on
- * the context's queue; does not wait. The contents are not checked: a path that is not finite, or whose normals and directions
- * are not unit vectors, gives some number. */
+/* tyn_bssrdf_evaluate on buffers: `paths` holds `count` TynBssrdfPath, `values` receives channel_count x count floats.
+ * Enqueued on the context's queue; does not wait. The contents are not checked: a path that is not finite, or whose normals
+ * and directions are not unit vectors, gives some number. */
 TYN_API TynStatus tyn_bssrdf_evaluate_cl(TynBssrdf *bssrdf, cl_mem paths, size_t count, cl_mem values);
 
 #ifdef __cplusplus

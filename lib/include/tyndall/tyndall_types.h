@@ -121,8 +121,8 @@ enum {
   TYN_BSSRDF_MODEL_COUNT = 10
 };
 
-/* Light that arrives at a point of a surface and leaves at another, for tyn_bssrdf_evaluate: 72 bytes. Both directions are those
- * in which light travels. Normals and directions have unit length; normals point outside. */
+/* Light that arrives at a point of a surface and leaves at another, for tyn_bssrdf_evaluate: 72 bytes. Both directions are
+ * those in which light travels. Normals and directions have unit length; normals point outside. */
 typedef struct TynBssrdfPath {
   float entry_position[3];  /* x_i, scene units */
   float entry_normal[3];    /* n_i */
