@@ -9,6 +9,8 @@
 namespace tyn {
 namespace {
 
+constexpr uint32_t FARTHER = 40; // rings beyond those of the walks: five octaves
+
 double first_order(uint32_t number) { return std::ceil(escape_border(TYN_ESCAPE_FIRST_ORDER + number)); }
 
 // The mean of albedo^n over from <= n < to, weighted like n^(-3/2), as orders are distributed when light is diffuse: uniformly
@@ -88,9 +90,9 @@ private:
 
   void add_ring_by_ring(EscapeLight &light, const std::vector<double> &shares, double power, double variance) const {
     double outside_before = 1;
-    for (uint32_t radius = 0; radius < escapes.grid.radii; ++radius) {
-      const double border = escape_border(escapes.grid.first_radius + radius + 1);
-      const bool is_last = radius + 1 == escapes.grid.radii;
+    for (uint32_t radius = 0; radius < light.radii; ++radius) {
+      const double border = ring_end(escapes.grid, radius);
+      const bool is_last = radius + 1 == light.radii;
       const double outside = is_last ? 0 : std::exp(-border * border / (2 * variance));
       for (uint32_t angle = 0; angle < TYN_ESCAPE_ANGLES; ++angle)
         light.power[radius * TYN_ESCAPE_ANGLES + angle] += power * (outside_before - outside) * shares[angle];
@@ -120,11 +122,18 @@ void add_counted(EscapeLight &light, const Escapes &escapes, double log_albedo) 
 
 } // namespace
 
+double ring_begin(const EscapeGrid &grid, uint32_t radius) {
+  return radius == 0 ? 0 : escape_border(grid.first_radius + radius);
+}
+
+double ring_end(const EscapeGrid &grid, uint32_t radius) { return escape_border(grid.first_radius + radius + 1); }
+
 double EscapeLight::sum() const { return std::accumulate(power.begin(), power.end(), 0.0); }
 
 EscapeLight light_of(const Escapes &escapes, double mean_cosine, double absorption) {
-  const size_t cells = size_t(escapes.grid.radii) * TYN_ESCAPE_ANGLES;
-  EscapeLight tail{std::vector<double>(cells), std::vector<double>(cells)}, light = tail;
+  const uint32_t radii = escapes.grid.radii + FARTHER;
+  const size_t cells = size_t(radii) * TYN_ESCAPE_ANGLES;
+  EscapeLight tail{radii, std::vector<double>(cells), std::vector<double>(cells)}, light = tail;
   if (!(absorption < 1))
     return light;
   const double log_albedo = std::log1p(-absorption);

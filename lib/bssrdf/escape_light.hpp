@@ -10,13 +10,19 @@
 
 namespace tyn {
 
-// What comes back scattered twice or more, per power that gets in, in each ring of the radii and each step of the angle.
+// What comes back scattered twice or more, per power that gets in, in each ring of the radii and each step of the angle. There
+// are more rings than the walks are counted in: farther out there are only walks that were not followed so far.
 struct EscapeLight {
+  uint32_t radii;
   std::vector<double> power;    // [radius * TYN_ESCAPE_ANGLES + angle]
   std::vector<double> variance; // squared standard errors
 
   double sum() const;
 };
+
+// The borders of ring `radius`; the last one has no end.
+double ring_begin(const EscapeGrid &grid, uint32_t radius);
+double ring_end(const EscapeGrid &grid, uint32_t radius);
 
 // `mean_cosine` of the phase function; `absorption` = 1 - albedo.
 EscapeLight light_of(const Escapes &escapes, double mean_cosine, double absorption);

@@ -18,8 +18,8 @@ namespace {
 // All but the last, which has no end.
 std::vector<Ring> rings_of(const EscapeGrid &grid, const EscapeLight &light) {
   std::vector<Ring> rings;
-  for (uint32_t i = 0; i + 1 < grid.radii; ++i) {
-    Ring ring{i == 0 ? 0 : escape_border(grid.first_radius + i), escape_border(grid.first_radius + i + 1), 0, 0};
+  for (uint32_t i = 0; i + 1 < light.radii; ++i) {
+    Ring ring{ring_begin(grid, i), ring_end(grid, i), 0, 0};
     double variance = 0;
     for (uint32_t angle = 0; angle < TYN_ESCAPE_ANGLES; ++angle) {
       ring.power += light.power[i * TYN_ESCAPE_ANGLES + angle];

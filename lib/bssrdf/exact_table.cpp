@@ -19,7 +19,8 @@ double multiple_albedo(const TynPhase &phase, double ior, double absorption) {
   const double outside = std::max(1 / ior, 1.0);
   const HalfSpace medium{phase, ior * outside, outside, absorption, 1 - absorption};
   const SingleScattering single(medium.sigma_s, medium.sigma_a, ior, INFINITY, phase);
-  return surface_albedo(medium, false) - single.half_space_albedo();
+  const double all = absorption > 0 ? surface_albedo(medium, false) : 1; // a white one gives back all that gets in
+  return all - single.half_space_albedo();
 }
 
 } // namespace
@@ -40,8 +41,7 @@ ExactTable ExactTables::make(const TynPhase &phase, double ior) const {
   ExactTable table;
   table.mean_cosine = phase_mean_cosine(phase);
   table.escapes = count_escapes(context, phase, ior, options);
-  table.corrections.fill(1); // a white medium gives back all that gets in
-  for (int i = 1; i < ExactTable::STEPS; ++i) {
+  for (int i = 0; i < ExactTable::STEPS; ++i) {
     const double absorption = std::pow(double(i) / ExactTable::STEPS, 4);
     const double counted = light_of(table.escapes, table.mean_cosine, absorption).sum();
     table.corrections[size_t(i)] = counted > 0 ? multiple_albedo(phase, ior, absorption) / counted : 1;

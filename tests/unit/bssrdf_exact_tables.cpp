@@ -70,11 +70,11 @@ TEST_F(ExactTables, AreMadeOnceAndReadAgain) {
 
 TEST_F(ExactTables, ServeEveryAlbedoAndScale) {
   profile();
-  ExactSlab other({{50, 20, 0.3, 1.2, INFINITY}});
+  ExactSlab other({{20, 50, 0.3, 1.2, INFINITY}});
   fractions.clear();
   BssrdfModel(other.view(), options, context);
   EXPECT_FALSE(made());
-  ExactSlab anisotropic({{50, 20, 0.4, 1.2, INFINITY}});
+  ExactSlab anisotropic({{20, 50, 0.4, 1.2, INFINITY}});
   BssrdfModel(anisotropic.view(), options, context);
   EXPECT_TRUE(made());
 }
