@@ -33,8 +33,10 @@ FresnelMoments fresnel_moments(double eta) {
 }
 
 double internal_reflection_fit(double eta) {
-  const double fit = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
-  const double f_dr = eta <= 2 ? fit : 2 * fresnel_moments(eta).c1;
+  const double above_1 = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
+  const double below_1 = -0.4399 + 0.7099 / eta - 0.3319 / (eta * eta) + 0.0636 / (eta * eta * eta);
+  const bool fits = eta >= 0.5 && eta <= 2;
+  const double f_dr = fits ? (eta < 1 ? below_1 : above_1) : 2 * fresnel_moments(eta).c1;
   return (1 + f_dr) / (1 - f_dr);
 }
 

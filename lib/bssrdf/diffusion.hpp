@@ -24,8 +24,8 @@ struct FresnelMoments {
 
 FresnelMoments fresnel_moments(double eta);
 
-// A = (1 + F_dr) / (1 - F_dr) of Jensen et al. 2001 with the fit of F_dr by Egan & Hilgeman 1979 that they use; eta >= 1.
-// Beyond 2, where the fit goes wrong (above 3.8 it exceeds 1), F_dr = 2 c1.
+// A = (1 + F_dr) / (1 - F_dr) of Jensen et al. 2001 with the fit of F_dr by Egan & Hilgeman 1979 that they use, and that of
+// Donner & Jensen 2005 for eta < 1. Beyond 2 and below 0.5, where the fits go wrong (they come to exceed 1), F_dr = 2 c1.
 double internal_reflection_fit(double eta);
 
 // The exitance of a fluence phi and a flux E . n at the surface is C_phi phi + C_E E . n; light seems to vanish at the distance

@@ -30,7 +30,8 @@ struct BssrdfInput {
 
 struct BssrdfModel {
   const char *name;
-  bool takes_slabs; // else only half-spaces: one layer without end
+  bool takes_slabs;  // else only half-spaces: one layer without end
+  bool takes_stacks; // several layers, of any indices of refraction
   Profile (*prepare)(const BssrdfInput &input);
 };
 
@@ -43,6 +44,7 @@ Profile standard_dipole(const BssrdfInput &input);
 Profile better_dipole(const BssrdfInput &input);
 Profile photon_beam_diffusion(const BssrdfInput &input);
 Profile multipole(const BssrdfInput &input);
+Profile multipole_stack(const BssrdfInput &input); // of several layers
 Profile normalized_diffusion(const BssrdfInput &input);
 Profile gaussians(const BssrdfInput &input);
 Profile single_scattering(const BssrdfInput &input);

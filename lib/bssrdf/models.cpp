@@ -9,16 +9,16 @@ namespace tyn {
 namespace {
 
 const BssrdfModel models[] = {
-    {"standard-dipole", false, standard_dipole},
-    {"better-dipole", false, better_dipole},
-    {"photon-beam-diffusion", false, photon_beam_diffusion},
-    {"multipole", true, multipole},
-    {"normalized-diffusion", false, normalized_diffusion},
-    {"gaussians", true, gaussians},
-    {"single-scattering", true, single_scattering},
-    {"quantized-diffusion", false, quantized_diffusion},
-    {"directional-dipole", false, directional_dipole},
-    {"exact", false, exact},
+    {"standard-dipole", false, false, standard_dipole},
+    {"better-dipole", false, false, better_dipole},
+    {"photon-beam-diffusion", false, false, photon_beam_diffusion},
+    {"multipole", true, true, multipole},
+    {"normalized-diffusion", false, false, normalized_diffusion},
+    {"gaussians", true, false, gaussians},
+    {"single-scattering", true, false, single_scattering},
+    {"quantized-diffusion", false, false, quantized_diffusion},
+    {"directional-dipole", false, false, directional_dipole},
+    {"exact", false, false, exact},
 };
 static_assert(sizeof models / sizeof models[0] == TYN_BSSRDF_MODEL_COUNT, "a row for each TYN_BSSRDF_*");
 

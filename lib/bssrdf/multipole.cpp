@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Donner & Jensen 2005, "Light Diffusion in Multi-Layered Translucent Materials", eqs. 3 to 6, for one layer: the standard
 // dipole's source, mirrored in the extrapolated boundaries on both sides again and again, so that the fluence vanishes there.
-// Light that comes back or goes through. The sum over the images converges slowly where they are nearer to each other than to
+// Light that comes back or goes through. Several layers are in multipole_stack.cpp. The sum over the images converges slowly where they are nearer to each other than to
 // the point that is looked at; there the same solution is a sum over the modes of diffusion across the layer.
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,8 @@ private:
 } // namespace
 
 Profile multipole(const BssrdfInput &input) {
+  if (input.slab.layers.size() > 1)
+    return multipole_stack(input);
   const ReducedMedium medium = reduced(input.top(), input.channel);
   if (medium.albedo == 0)
     return black_profile();

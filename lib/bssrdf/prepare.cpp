@@ -46,12 +46,12 @@ void require_length(const Profile &profile, uint32_t channel) {
 }
 
 void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, const Slab &slab) {
-  if (slab.layers.size() != 1)
+  if (slab.layers.size() != 1 && !model.takes_stacks)
     fail(TYN_ERROR_INVALID_ARGUMENT, "layer_count is %zu; the model %s takes 1 layer", slab.layers.size(), model.name);
   if (!model.takes_slabs && !std::isinf(slab.layers[0].thickness))
     fail(TYN_ERROR_INVALID_ARGUMENT, "layers[0].thickness is %g; the model %s is for half-spaces: it must be INFINITY",
          slab.layers[0].thickness, model.name);
-  if (options.model == TYN_BSSRDF_GAUSSIANS || options.model == TYN_BSSRDF_EXACT)
+  if (options.model == TYN_BSSRDF_GAUSSIANS || options.model == TYN_BSSRDF_EXACT || model.takes_stacks)
     return;
   const double ior = slab.layers[0].ior;
   for (const double outside : {slab.ior_above, std::isinf(slab.layers[0].thickness) ? 1.0 : slab.ior_below})
