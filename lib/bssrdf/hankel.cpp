@@ -15,8 +15,9 @@
 namespace tyn {
 namespace {
 
-// t r from 2e-9, where t^2 makes what is left out negligible, to 70, where the functions are 1e-22.
-constexpr int LOWEST = -320, HIGHEST = 68;
+// t r from 7e-13 to 70, where the functions are 1e-22. What is left out below is of the order of t^2 ln(t r), beside 1 / r^2
+// or, where r is small, beside the frequencies at which F ends.
+constexpr int LOWEST = -448, HIGHEST = 68;
 
 std::vector<std::complex<double>> kelvin_at_nodes() {
   std::vector<std::complex<double>> values;

@@ -27,6 +27,7 @@ const char *const kAbout =
 albedo, of every model of a medium side by side; on request their error against exact transport.
 
   tyndall-profile --sigma-a A --sigma-s S [--g G] [--ior N] [--thickness D] [options]
+  tyndall-profile --layer A,S,G,N,D [--layer ...] [options]
   tyndall-profile --medium NAME [--thickness D] [options]
 
 Examples:
@@ -38,18 +39,21 @@ Examples:
       two models at five radii
   tyndall-profile --model multipole --transmitted --sigma-a 0.01 --sigma-s 1 --thickness 5 --json
       what goes through a slab
+  tyndall-profile --model multipole --layer 0.2,50,0.8,1.4,0.5 --layer 0.02,20,0.8,1.4,inf --error
+      a layer on another one, beside exact transport
   tyndall-profile --model gaussians --gaussians 0.3:0.05,0.2:0.4 --sigma-a 0.1 --sigma-s 1
       a sum of Gaussians, for which the medium does not matter
 
 Models: standard-dipole, better-dipole, photon-beam-diffusion, multipole, normalized-diffusion, gaussians,
-single-scattering, quantized-diffusion, directional-dipole. Slabs of finite thickness: multipole, gaussians,
-single-scattering. Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in:
+single-scattering, quantized-diffusion, directional-dipole, exact. Slabs of finite thickness: multipole,
+gaussians, single-scattering. Several layers: multipole, each layer thicker than a reduced mean free path.
+Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in:
 what the surface reflects is apart.
 
 Units: any one unit of length, by convention mm; coefficients in its inverse, R(r) in 1/mm^2. Lists give one
 value a spectral channel: --sigma-a 0.03,0.17,0.48. In --json a profile is a list of channels, each a list
 over `radii`, also where there is one channel.
---error follows photons through the same layer and counts them in rings around the radii. A model's deviation
+--error follows photons through the same layers and counts them in rings around the radii. A model's deviation
 is that of its mean over the ring, model / exact - 1; where the exact value is not known to 30 % there is none
 (null in --json, - in the table). The numbers behind +- are standard errors. Ctrl-C ends the run and writes
 what is done; pressed again it kills.
@@ -59,7 +63,7 @@ build failed, 130 interrupted (the outputs are written).
 
 // Options as text: numbers are read here, not by CLI11, so that 1e7 photons and inf mean what they say.
 struct Text {
-  slab::LayerText layer;
+  slab::LayerText layers;
   std::string models = "all", fit, gaussians, radii, photons, seed;
 };
 
@@ -69,6 +73,12 @@ void add_layer_options(CLI::App &app, slab::LayerText &text) {
   app.add_option("--g", text.g, "mean cosine of scattering, -1 to 1 (0)")->type_name("G");
   app.add_option("--ior", text.ior, "refractive index, 1 to 4 (1)")->type_name("N");
   app.add_option("--thickness", text.thickness, "thickness, or inf (inf)")->type_name("LENGTH");
+  app.add_option(
+         "--layer", text.layers,
+         "a layer, from the top (repeatable); thickness inf in the\nlast only; several channels: 0.1/0.2/0.3,...")
+      ->type_name("A,S,G,N,LENGTH")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--medium", text.medium,
                  "a measured medium, in 1/mm, channels R G B\n(tyndall-info --media); --g, --ior as above override")
       ->type_name("NAME");
@@ -76,7 +86,7 @@ void add_layer_options(CLI::App &app, slab::LayerText &text) {
 
 void add_model_options(CLI::App &app, Text &text, Arguments &arguments) {
   app.add_option("--model", text.models,
-                 "models, or all that take this layer (all); gaussians\nis one of all if --gaussians is given")
+                 "models, or all that take the layers (all); gaussians\nis one of all if --gaussians is given")
       ->type_name("NAME[,NAME...]|all");
   app.add_option("--radii", text.radii,
                  "N radii in equal ratios, MIN > 0 (0.01 to 20 of the\nlongest reduced mean free path, 60 radii)")
@@ -170,8 +180,8 @@ void check_transmitted(const Arguments &arguments) {
     return;
   if (arguments.models != std::vector<uint32_t>{TYN_BSSRDF_MULTIPOLE})
     throw Error(kUsage, "--transmitted: expected --model multipole alone, which has it");
-  if (std::isinf(arguments.layer().thickness))
-    throw Error(kUsage, "--transmitted: expected a --thickness, as nothing goes through a half-space");
+  if (arguments.is_half_space())
+    throw Error(kUsage, "--transmitted: expected a finite --thickness, as nothing goes through a half-space");
 }
 
 void read_run(const Text &text, Arguments &arguments) {
@@ -183,17 +193,11 @@ void read_run(const Text &text, Arguments &arguments) {
         slab::whole_number("--photons", text.photons, 1, kMostPhotons, "a whole number from 1 to 1e15");
   if (!text.seed.empty())
     arguments.options.seed = slab::parse_seed(text.seed);
-  const slab::LayerArgument &layer = arguments.layer();
-  const bool absorbs = *std::min_element(layer.sigma_a.begin(), layer.sigma_a.end()) > 0.0;
-  if (arguments.compare && std::isinf(layer.thickness) && !absorbs)
+  const std::vector<double> &sigma_a = arguments.layers.back().sigma_a;
+  const bool absorbs = *std::min_element(sigma_a.begin(), sigma_a.end()) > 0.0;
+  if (arguments.compare && arguments.is_half_space() && !absorbs)
     throw Error(kUsage, "--error and --sigma-a 0 in a half-space: its walks would not end; expected absorption or a "
                         "--thickness");
-}
-
-void read_layer(const Text &text, Arguments &arguments) {
-  if (text.layer.medium.empty() && (text.layer.sigma_a.empty() || text.layer.sigma_s.empty()))
-    throw Error(kUsage, "expected --sigma-a and --sigma-s, or --medium (see --help)");
-  slab::read_layers(text.layer, arguments);
 }
 
 void finish(const char *tool_name, const Text &text, Arguments &arguments) {
@@ -201,10 +205,10 @@ void finish(const char *tool_name, const Text &text, Arguments &arguments) {
   read_models(text, arguments);
   read_fit(text, arguments);
   read_gaussians(text, arguments);
-  read_layer(text, arguments);
+  slab::read_layers(text.layers, arguments);
   check_transmitted(arguments);
   read_run(text, arguments);
-  arguments.radii = text.radii.empty() ? default_radii(arguments.layer()) : parse_radii(text.radii);
+  arguments.radii = text.radii.empty() ? default_radii(arguments.layers) : parse_radii(text.radii);
 }
 
 } // namespace
@@ -212,7 +216,7 @@ void finish(const char *tool_name, const Text &text, Arguments &arguments) {
 bool parse_arguments(const char *tool_name, int argc, char **argv, Arguments &arguments) {
   CLI::App app(kAbout);
   Text text;
-  add_layer_options(app, text.layer);
+  add_layer_options(app, text.layers);
   add_model_options(app, text, arguments);
   add_run_options(app, text, arguments);
   add_output_options(app, arguments);

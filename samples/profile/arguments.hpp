@@ -10,10 +10,10 @@
 
 namespace profile {
 
-// One layer, given as tyndall-slab's, and what is asked of it. Of the options of a run, photons and seed are used.
+// Layers, given as tyndall-slab's, and what is asked of them. Of the options of a run, photons and seed are used.
 struct Arguments : slab::Arguments {
   std::vector<uint32_t> models; // TYN_BSSRDF_*
-  bool all_models = false;      // those of them that take this layer
+  bool all_models = false;      // those of them that take these layers
   uint32_t fit = TYN_NORMALIZED_SEARCHLIGHT;
   bool fit_given = false;
   bool transmitted = false;
@@ -21,8 +21,9 @@ struct Arguments : slab::Arguments {
   std::vector<double> radii;
   bool compare = false; // --error
 
-  const slab::LayerArgument &layer() const { return layers.front(); }
-  size_t channels() const { return layer().sigma_a.size(); }
+  const slab::LayerArgument &top() const { return layers.front(); }
+  bool is_half_space() const { return std::isinf(layers.back().thickness); }
+  size_t channels() const { return top().sigma_a.size(); }
 };
 
 // Fills `arguments`; false if --help or --version was all that was asked for, and has been printed.

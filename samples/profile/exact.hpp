@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Exact transport in the layer, by following photons, and what the models are off it.
+// Exact transport in the layers, by following photons, and what the models are off it.
 #pragma once
 
 #include "profile/results.hpp"

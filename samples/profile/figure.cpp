@@ -48,13 +48,16 @@ private:
   // ---- text ----
 
   std::string title() const {
-    const slab::LayerArgument &layer = arguments_.layer();
+    const std::string transmitted = arguments_.transmitted ? ", transmitted" : "";
+    if (arguments_.layers.size() > 1)
+      return std::to_string(arguments_.layers.size()) + " layers" + transmitted;
+    const slab::LayerArgument &layer = arguments_.top();
     std::string text = arguments_.medium.empty() ? "" : arguments_.medium + ": ";
     if (arguments_.channels() == 1)
       text += "\xcf\x83_{a} = " + number(layer.sigma_a[0]) + ", \xcf\x83_{s} = " + number(layer.sigma_s[0]) + ", ";
     text += "g = " + number(layer.g) + ", n = " + number(layer.ior) + ", ";
     text += std::isinf(layer.thickness) ? "half-space" : number(layer.thickness) + " " + arguments_.unit + " thick";
-    return arguments_.transmitted ? text + ", transmitted" : text;
+    return text + transmitted;
   }
 
   std::string channel_name(size_t c) const {

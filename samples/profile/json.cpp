@@ -28,17 +28,26 @@ Json curves(const std::vector<Curve> &channels, const char *name) {
   return {{name, list}, {"standard_error", errors}};
 }
 
+Json layer(const slab::LayerArgument &layer) {
+  return {{"sigma_a", layer.sigma_a},
+          {"sigma_s", layer.sigma_s},
+          {"g", layer.g},
+          {"ior", layer.ior},
+          {"thickness", layer.thickness}}; // null: a half-space
+}
+
 Json medium(const Arguments &arguments, const Results &results) {
-  const slab::LayerArgument &layer = arguments.layer();
   Json object = Json::object();
   if (!arguments.medium.empty())
     object["name"] = arguments.medium;
   object["channels"] = results.channel_names;
-  object["sigma_a"] = layer.sigma_a;
-  object["sigma_s"] = layer.sigma_s;
-  object["g"] = layer.g;
-  object["ior"] = layer.ior;
-  object["thickness"] = layer.thickness; // null: a half-space
+  if (arguments.layers.size() == 1) {
+    object.update(layer(arguments.top()));
+    return object;
+  }
+  object["layers"] = Json::array();
+  for (const slab::LayerArgument &one : arguments.layers)
+    object["layers"].push_back(layer(one));
   return object;
 }
 

@@ -22,7 +22,15 @@ constexpr double kWeights[] = {0.050614268145188130, 0.11119051722668724, 0.1568
 constexpr double kStep = 1.2;      // ratio of the ends of a piece that these points do for
 constexpr size_t kMostPieces = 64; // of a ring
 
-// Empty if the model does not take this layer and need not.
+// Whether the tool fails if the model does not take the layers; those that --model all stands for need not, but for the only one
+// that takes several.
+bool is_needed(const Arguments &arguments, uint32_t model) {
+  return !arguments.all_models || arguments.models.size() == 1 ||
+         (arguments.fit_given && model == TYN_BSSRDF_NORMALIZED_DIFFUSION) ||
+         (arguments.layers.size() > 1 && model == TYN_BSSRDF_MULTIPOLE);
+}
+
+// Empty if the model does not take the layers and need not.
 Bssrdf create(TynContext *context, const TynSlab &slab, const Arguments &arguments, uint32_t model) {
   std::vector<double> weights, variances;
   for (size_t c = 0; c < arguments.channels(); ++c) {
@@ -39,8 +47,7 @@ Bssrdf create(TynContext *context, const TynSlab &slab, const Arguments &argumen
   TynBssrdf *bssrdf = nullptr;
   const TynStatus status = tyn_bssrdf_create(context, &slab, &options, &bssrdf);
   const bool wrong = status == TYN_ERROR_INVALID_ARGUMENT;
-  const bool needed = arguments.models.size() == 1 || (arguments.fit_given && model == TYN_BSSRDF_NORMALIZED_DIFFUSION);
-  if (wrong && arguments.all_models && !needed)
+  if (wrong && !is_needed(arguments, model))
     return nullptr;
   if (wrong)
     throw tool::Error(tool::kUsage,

@@ -40,13 +40,14 @@ std::vector<double> parse_radii(const std::string &text) {
   return equal_ratios(lowest, highest, static_cast<size_t>(count));
 }
 
-std::vector<double> default_radii(const slab::LayerArgument &layer) {
+std::vector<double> default_radii(const std::vector<slab::LayerArgument> &layers) {
   double longest = 0.0;
-  for (size_t c = 0; c < layer.sigma_a.size(); ++c) {
-    const double extinction = layer.sigma_a[c] + layer.sigma_s[c] * (1.0 - layer.g);
-    if (extinction > 0.0)
-      longest = std::max(longest, 1.0 / extinction);
-  }
+  for (const slab::LayerArgument &layer : layers)
+    for (size_t c = 0; c < layer.sigma_a.size(); ++c) {
+      const double extinction = layer.sigma_a[c] + layer.sigma_s[c] * (1.0 - layer.g);
+      if (extinction > 0.0)
+        longest = std::max(longest, 1.0 / extinction);
+    }
   longest = longest > 0.0 ? std::clamp(longest, 100.0 * kLeastRadius, kMostRadius / 100.0) : 1.0;
   return equal_ratios(0.01 * longest, 20.0 * longest, kDefaultRadii);
 }

@@ -11,8 +11,8 @@ namespace profile {
 // MIN:MAX:N. Throws on wrong usage.
 std::vector<double> parse_radii(const std::string &text);
 
-// From 0.01 to 20 reduced mean free paths of the channel where they are longest.
-std::vector<double> default_radii(const slab::LayerArgument &layer);
+// From 0.01 to 20 reduced mean free paths of the layer and channel where they are longest.
+std::vector<double> default_radii(const std::vector<slab::LayerArgument> &layers);
 
 // Rings made of bins as tyn_slab_simulate has them: `bin_count` equal steps of the radius from 0 to `end`. Ring i is
 // borders[i] <= bin < borders[i + 1]; where radii are closer than bins it may have none.
