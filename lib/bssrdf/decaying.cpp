@@ -36,7 +36,14 @@ double DecayingFunction::operator()(double r) const {
   return std::exp(interpolate(std::max(std::log(r / first) / HANKEL_STEP, 0.0)));
 }
 
-double DecayingFunction::falloff() const { return all ? std::max(slope - 3 / last, 0.0) : slope; }
+// Where all values have digits left there may be hardly any exponential beside the power: that of r between the last two radii,
+// not that of the last one, is what the slope is compared with.
+double DecayingFunction::falloff() const {
+  if (!all || logarithms.size() < 2)
+    return slope;
+  const double power = (logarithms.end()[-2] - logarithms.back()) / HANKEL_STEP;
+  return std::max(power - 3, 0.0) / last;
+}
 
 double DecayingFunction::radius(double i) const { return first * std::exp(i * HANKEL_STEP); }
 

@@ -12,7 +12,7 @@ namespace tyn {
 
 using HankelTransform = std::function<std::complex<double>(std::complex<double>)>;
 
-// `magnitude` is the sum of the absolute values of the terms that `value` is the sum of: value is known to about 1e-14 of it.
+// `magnitude` is the sum of the absolute values of the terms that `value` is the sum of: value is known to about 1e-12 of it.
 struct HankelValue {
   double value, magnitude;
 };

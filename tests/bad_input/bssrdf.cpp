@@ -18,6 +18,7 @@ using namespace tyn_test;
 
 struct Problem {
   double sigma_a[2] = {1, 2}, sigma_s[2] = {3, 4}, weights[4] = {0.1, 0.2, 0.3, 0.4}, variances[4] = {1, 2, 3, 4};
+  double nothing[2] = {0, 0};
   TynSlabLayer layers[2] = {tyn_slab_layer(), tyn_slab_layer()};
   TynSlab slab = tyn_slab();
   TynBssrdfOptions options = tyn_bssrdf_options();
@@ -34,6 +35,13 @@ struct Problem {
     options.gaussian_count = 2;
     options.gaussian_weights = weights;
     options.gaussian_variances = variances;
+  }
+
+  void two_layers(double first, double second) {
+    options.model = TYN_BSSRDF_MULTIPOLE;
+    slab.layer_count = 2;
+    layers[0].thickness = first;
+    layers[1].thickness = second;
   }
 
   TynStatus create(TynBssrdf **made) { return tyn_bssrdf_create(shared_context(), &slab, &options, made); }
@@ -56,8 +64,25 @@ TEST(BadBssrdf, IsNotCreated) {
       {[](Problem &p) { p.slab.layer_count = 2, p.layers[0].thickness = 1; }, "takes 1 layer"},
       {[](Problem &p) { p.layers[0].thickness = 1; }, "half-spaces"},
       {[](Problem &p) { p.slab.ior_above = 1.5; }, "below the 1.5 outside"},
-      {[](Problem &p) { p.options.model = TYN_BSSRDF_MULTIPOLE, p.layers[0].thickness = 1, p.slab.ior_below = 2; },
+      {[](Problem &p) {
+         p.options.model = TYN_BSSRDF_SINGLE_SCATTERING, p.layers[0].thickness = 1, p.slab.ior_below = 2;
+       },
        "below the 2 outside"},
+      {[](Problem &p) {
+         p.options.model = TYN_BSSRDF_SINGLE_SCATTERING, p.slab.layer_count = 2, p.layers[0].thickness = 1;
+       },
+       "single-scattering takes 1 layer"},
+      {[](Problem &p) { p.two_layers(1, 0.21); }, "layers[1].thickness is 0.84 reduced mean free paths in channel 0"},
+      {[](Problem &p) { p.two_layers(0.2, 1), p.sigma_s[1] = 2; },
+       "layers[0].thickness is 0.8 reduced mean free paths in channel 0"},
+      {[](Problem &p) { p.two_layers(0.3, 1), p.sigma_a[1] = 0, p.sigma_s[1] = 1; },
+       "layers[0].thickness is 0.3 reduced mean free paths in channel 1"},
+      {[](Problem &p) { p.two_layers(2, 2), p.sigma_s[1] = 0; }, "layers[0].sigma_s is 0 in channel 1"},
+      {[](Problem &p) { p.two_layers(2, 2), p.layers[1].sigma_s = p.nothing; }, "layers[1].sigma_s is 0 in channel 0"},
+      {[](Problem &p) { p.two_layers(2, 2), p.layers[1].sigma_s = p.layers[1].sigma_a = p.nothing; },
+       "layers[1].thickness is 0 reduced mean free paths"},
+      {[](Problem &p) { p.two_layers(INFINITY, 2); }, "layers[0].thickness is inf"},
+      {[](Problem &p) { p.two_layers(2, 2), p.options.transmitted = 3; }, "transmitted is 3"},
       {[](Problem &p) { p.options.model = TYN_BSSRDF_MULTIPOLE, p.layers[0].thickness = 0.1; }, "thicker than that"},
       {[](Problem &p) { p.options.transmitted = 1; }, "transmitted is 1"},
       {[](Problem &p) { p.sigma_s[1] = 1e20; }, "lengths must be in"},
