@@ -14,7 +14,8 @@ struct LayerResponse {
 };
 
 // A layer with light's source one reduced mean free path below the side where it gets in, and with the fluence 0 on the
-// extrapolated boundaries 2 A / 3 beyond its sides (Donner & Jensen 2005, for one slab). All in its own reduced mean free paths.
+// extrapolated boundaries 2 A / 3 beyond its sides (Donner & Jensen 2005, for one slab). All in its own reduced mean free
+// paths.
 class DiffusionLayer {
 public:
   // `thickness`: > 1; may be infinite. `above`, `below`: A of the two sides. `length`: of a reduced mean free path in

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Donner & Jensen 2005, "Light Diffusion in Multi-Layered Translucent Materials", eqs. 3 to 6, for one layer: the standard
 // dipole's source, mirrored in the extrapolated boundaries on both sides again and again, so that the fluence vanishes there.
-// Light that comes back or goes through. Several layers are in multipole_stack.cpp. The sum over the images converges slowly where they are nearer to each other than to
-// the point that is looked at; there the same solution is a sum over the modes of diffusion across the layer.
+// Light that comes back or goes through. The sum over the images converges slowly where they are nearer to each other than to
+// the point that is looked at; there the same solution is a sum over the modes of diffusion across the layer. Several layers
+// are in multipole_stack.cpp.
 #include <algorithm>
 #include <cmath>
 

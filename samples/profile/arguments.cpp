@@ -46,9 +46,9 @@ Examples:
 
 Models: standard-dipole, better-dipole, photon-beam-diffusion, multipole, normalized-diffusion, gaussians,
 single-scattering, quantized-diffusion, directional-dipole, exact. Slabs of finite thickness: multipole,
-gaussians, single-scattering. Several layers: multipole, each layer thicker than a reduced mean free path.
-Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in:
-what the surface reflects is apart.
+gaussians, single-scattering. Several layers: multipole, if each is thicker than a reduced mean free path.
+Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in: what the surface
+reflects is apart.
 
 Units: any one unit of length, by convention mm; coefficients in its inverse, R(r) in 1/mm^2. Lists give one
 value a spectral channel: --sigma-a 0.03,0.17,0.48. In --json a profile is a list of channels, each a list

@@ -22,8 +22,8 @@ constexpr double kWeights[] = {0.050614268145188130, 0.11119051722668724, 0.1568
 constexpr double kStep = 1.2;      // ratio of the ends of a piece that these points do for
 constexpr size_t kMostPieces = 64; // of a ring
 
-// Whether the tool fails if the model does not take the layers; those that --model all stands for need not, but for the only one
-// that takes several.
+// Whether the tool fails if the model does not take the layers. Those that --model all stands for need not, but for the only
+// one that takes several.
 bool is_needed(const Arguments &arguments, uint32_t model) {
   return !arguments.all_models || arguments.models.size() == 1 ||
          (arguments.fit_given && model == TYN_BSSRDF_NORMALIZED_DIFFUSION) ||

@@ -84,6 +84,29 @@ class Profile(ToolTest):
         white = self.report("--sigma-a", 0, "--sigma-s", 1, "--model", "better-dipole")
         self.assertAlmostEqual(white["models"]["better-dipole"]["albedo"][0], 1, places=6)
 
+    def test_several_layers(self):
+        # Of white layers each adds 1 / T - 1 to the stack's; T of one by the distances to its extrapolated boundaries.
+        fresnel = -1.440 + 0.710 + 0.668 + 0.0636
+        beyond = 2 / 3 * (1 + fresnel) / (1 - fresnel)
+        one = [(1 + beyond) / (thickness + 2 * beyond) for thickness in (3, 5)]
+        through = 1 / (1 / one[0] + 1 / one[1] - 1)
+        layers = ("--layer", "0,1,0,1,3", "--layer", "0,4,0.5,1,2.5")
+        back, transmitted = self.report(*layers), self.report(*layers, "--transmitted")
+        for report, expected in ((back, 1 - through), (transmitted, through)):
+            self.assertEqual(list(report["models"]), ["multipole"])
+            self.assertAlmostEqual(report["models"]["multipole"]["albedo"][0], expected, delta=1e-4)
+        self.assertEqual([layer["thickness"] for layer in back["medium"]["layers"]], [3, 2.5])
+        self.assertEqual(back["medium"]["layers"][1]["g"], 0.5)
+        self.assertNotIn("sigma_a", back["medium"])
+        self.assertAlmostEqual(back["radii"][-1], 20)
+
+    def test_layers_far_from_the_beam_are_nearly_exact(self):
+        report = self.report("--layer", "0.3,30,0.8,1.4,0.3", "--layer", "0.03,10,0.8,1.4,inf", "--radii", "2:6:4",
+                             "--error", "--photons", "3e5")
+        error = report["models"]["multipole"]["error"]
+        for relative, deviation in zip(error["relative"][0], error["standard_error"][0]):
+            self.assertLess(abs(relative), 0.04 + 4 * deviation)  # 4 sigma: 1 in 4000 for all four
+
     def test_the_fits_of_normalized_diffusion_differ(self):
         albedos, values = [], []
         for fit in ("searchlight", "diffuse", "dmfp"):

@@ -8,7 +8,7 @@ from tools import ToolTest, run
 
 MEDIUM = ("--sigma-a", "0.1", "--sigma-s", "1")
 
-OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --medium --model --radii --fit --gaussians --transmitted --error
+OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --model --radii --fit --gaussians --transmitted --error
   --photons --seed --json --csv --plot --device -q --quiet --version --help""".split()
 
 MODELS = ("standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion", "gaussians",
@@ -58,6 +58,10 @@ class ProfileUsage(ToolTest):
 
     def test_what_does_not_go_together(self):
         self.check_usage(*MEDIUM, "--transmitted", word="--thickness")
+        self.check_usage("--layer", "0,1,0,1,2", "--layer", "0,1,0,1,inf", "--transmitted", word="--thickness")
+        self.check_usage("--layer", "0,1,0,1,2", "--layer", "0,1,0,1,inf", "--error", word="--sigma-a 0")
+        self.check_usage("--layer", "0,1,0,1,inf", "--layer", "0,1,0,1,2", word="inf")
+        self.check_usage("--layer", "0,1,0,1", word="--layer")
         self.check_usage(*MEDIUM, "--thickness", "1", "--transmitted", "--model", "single-scattering", word="multipole")
         self.check_usage(*MEDIUM, "--fit", "dmfp", "--model", "multipole", word="normalized-diffusion")
         self.check_usage(*MEDIUM, "--gaussians", "1:1", "--model", "multipole", word="--model gaussians")
@@ -71,6 +75,11 @@ class ProfileUsage(ToolTest):
         for model in ("standard-dipole", "better-dipole", "photon-beam-diffusion", "normalized-diffusion"):
             result = run("tyndall-profile", *MEDIUM, "--thickness", 1, "--model", "multipole," + model)
             self.check_fails(result, 2, "--model " + model, "thickness")
+        thin = ("--layer", "0,1,0,1,0.5", "--layer", "0,1,0,1,5")
+        self.check_fails(run("tyndall-profile", *thin, "--model", "standard-dipole"), 2, "takes 1 layer")
+        for models in ("all", "multipole"):
+            result = run("tyndall-profile", *thin, "--model", models)
+            self.check_fails(result, 2, "--model multipole", "layers[0].thickness is 0.5 reduced mean free paths")
         result = run("tyndall-profile", "--sigma-a", 0, "--sigma-s", 1, "--fit", "dmfp")
         self.check_fails(result, 2, "normalized-diffusion", "sigma_a")
 

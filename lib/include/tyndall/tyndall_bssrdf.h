@@ -18,8 +18,17 @@
  * there is none at all they are 0.
  *
  * Media are those of tyndall_slab.h. A half-space is a TynSlab of one infinite layer; GAUSSIANS and SINGLE_SCATTERING take one
- * layer of any thickness, MULTIPOLE one that is thicker than a reduced mean free path in every channel. N spectral channels,
- * each with a profile of its own. Arrays of several channels are stored channel by channel: value [channel * count + i].
+ * layer of any thickness, MULTIPOLE 1 .. 64 layers. N spectral channels, each with a profile of its own. Arrays of several
+ * channels are stored channel by channel: value [channel * count + i].
+ *
+ * MULTIPOLE takes layers that are thicker than a reduced mean free path, 1 / (sigma_a + sigma_s (1 - g)), in every channel, as
+ * their light's source is that deep; the last one may be infinite. Of several layers each must scatter in every channel, but
+ * an infinite last one, which then is black: light that gets through a layer unscattered is not in the model. Indices of
+ * refraction may differ from layer to layer and be higher or lower than those outside. As light is taken to enter every layer
+ * as if it came perpendicularly, two layers of one medium are not quite one of twice the thickness: what two layers of 5 (20)
+ * mean free paths each and albedo 0.99 transmit is 5 % more in all and 16 % (7 %) more below the beam, while far away both R(r)
+ * and T(r) fall off faster. So do not cut layers without need. Where a layer that is barely thick enough has a highly
+ * reflective surface, R(r) of the model turns negative far away; it is cut off there.
  */
 #ifndef TYNDALL_BSSRDF_H
 #define TYNDALL_BSSRDF_H
@@ -42,7 +51,8 @@ typedef struct TynBssrdfOptions {
   size_t size;             /* sizeof(TynBssrdfOptions) */
   uint32_t model;          /* TYN_BSSRDF_*; default STANDARD_DIPOLE */
   uint32_t fit;            /* NORMALIZED_DIFFUSION: TYN_NORMALIZED_*; default SEARCHLIGHT */
-  uint32_t transmitted;    /* MULTIPOLE: 1: what leaves below; 0 (default): what comes back */
+  uint32_t transmitted;    /* MULTIPOLE: 1: what leaves below (nothing if the last layer is infinite); 0 (default): what
+                              comes back */
   uint32_t gaussian_count; /* GAUSSIANS: in each channel, 1 .. 64 */
   const double
       *gaussian_weights; /* GAUSSIANS: channel_count x gaussian_count, >= 0; a channel's sum, its albedo, at most 1 */
@@ -65,9 +75,10 @@ typedef struct TynBssrdf TynBssrdf;
 
 /* Prepares a model: some milliseconds a channel, up to 0.2 s where it is tabulated. `slab`, `options`: not NULL; nothing of
  * them is kept. `bssrdf`: set to NULL on failure.
- * Errors: INVALID_ARGUMENT (no such model: the message lists them; more layers, or another thickness, than the model takes; an
- * index of refraction below that outside, but for GAUSSIANS; the fit DMFP without absorption; mean free paths outside
- * [1e-18, 1e18]), OUT_OF_MEMORY, DEVICE. */
+ * Errors: INVALID_ARGUMENT (no such model: the message lists them; more layers, or another thickness, than the model takes; a
+ * layer of several that does not scatter; an index of refraction below that outside, but for GAUSSIANS and MULTIPOLE; the fit
+ * DMFP without absorption; mean free paths outside [1e-18, 1e18], or the sum of thicknesses where it is the unit of what
+ * several layers transmit), OUT_OF_MEMORY, DEVICE. */
 TYN_API TynStatus tyn_bssrdf_create(TynContext *context, const TynSlab *slab, const TynBssrdfOptions *options,
                                     TynBssrdf **bssrdf);
 TYN_API void tyn_bssrdf_retain(TynBssrdf *bssrdf);
@@ -78,8 +89,9 @@ TYN_API void tyn_bssrdf_release(TynBssrdf *bssrdf);
 TYN_API TynStatus tyn_bssrdf_albedo(const TynBssrdf *bssrdf, double *albedo, size_t count);
 
 /* R at `count` radii, which are > 0 and finite. `profile`: channel_count x count, 1/length^2. Single precision: 1e-5, or what a
- * float's exponent leaves of a small value. Tables reach from 2^-12 to 2^12 reduced mean free paths; nearer R is continued as a
- * constant or like 1/r, farther by its falloff; beyond 1e12 it is 0.
+ * float's exponent leaves of a small value. Tables reach from 2^-12 to 2^12 times a length: a reduced mean free path of the top
+ * layer (up to 32 of them where deeper layers have longer ones), or the sum of thicknesses for what several layers transmit.
+ * Nearer R is continued as a constant or like 1/r, farther by its falloff; beyond 1e12 it is 0.
  * Errors here and below: INVALID_ARGUMENT (which radius), OUT_OF_MEMORY, DEVICE, KERNEL_BUILD. */
 TYN_API TynStatus tyn_bssrdf_profile(TynBssrdf *bssrdf, const float *radii, size_t count, float *profile);
 

@@ -111,7 +111,7 @@ enum {
   TYN_BSSRDF_STANDARD_DIPOLE = 0,       /* Jensen, Marschner, Levoy, Hanrahan 2001 */
   TYN_BSSRDF_BETTER_DIPOLE = 1,         /* d'Eon 2012; without single scattering */
   TYN_BSSRDF_PHOTON_BEAM_DIFFUSION = 2, /* Habel, Christensen, Jarosz 2013; single scattering included */
-  TYN_BSSRDF_MULTIPOLE = 3,             /* Donner & Jensen 2005; one layer of any thickness */
+  TYN_BSSRDF_MULTIPOLE = 3,             /* Donner & Jensen 2005; 1 .. 64 layers */
   TYN_BSSRDF_NORMALIZED_DIFFUSION = 4,  /* Christensen & Burley 2015 */
   TYN_BSSRDF_GAUSSIANS = 5,             /* the caller's */
   TYN_BSSRDF_SINGLE_SCATTERING = 6,     /* Hanrahan & Krueger 1993; the top layer's alone */
