@@ -8,8 +8,8 @@ from tools import ToolTest, run
 
 MEDIUM = ("--sigma-a", "0.1", "--sigma-s", "1")
 
-OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --model --radii --fit --gaussians --transmitted --error
-  --photons --seed --json --csv --plot --device -q --quiet --version --help""".split()
+OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --model --radii --fit --gaussians --transmitted
+  --error --photons --seed --json --csv --plot --device -q --quiet --version --help""".split()
 
 MODELS = ("standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion", "gaussians",
           "single-scattering", "quantized-diffusion", "directional-dipole")
