@@ -81,8 +81,8 @@ PreparedBssrdf prepare_bssrdf(TynContext &context, const TynSlab *given_slab, co
   if (options.transmitted && options.model != TYN_BSSRDF_MULTIPOLE)
     fail(TYN_ERROR_INVALID_ARGUMENT, "transmitted is 1; the model %s has what comes back only", model->name);
   ExactTables tables(context, {options.exact_events, EXACT_SEED, options.progress, options.user});
-  const double ior = slab.layers[0].ior;
-  PreparedBssrdf prepared{{}, ior / slab.ior_above, ior / (options.transmitted ? slab.ior_below : slab.ior_above)};
+  const double entry = slab.layers.front().ior / slab.ior_above, below = slab.layers.back().ior / slab.ior_below;
+  PreparedBssrdf prepared{{}, entry, options.transmitted ? below : entry};
   for (uint32_t c = 0; c < slab.channels; c++) {
     prepared.profiles.push_back(model->prepare({slab, options, c, tables}));
     require_length(prepared.profiles.back(), c);

@@ -11,7 +11,7 @@
  * arrives. DIRECTIONAL_DIPOLE depends on where light comes from, and on how the surface is turned; its R is its exitance where
  * light gets in perpendicularly and the surface is flat. See tyn_bssrdf_evaluate.
  * Models are approximations, made for a flat surface. Their files in lib/bssrdf name the papers and equations. Their albedos
- * are as good as they are: only normalized diffusion's is exact; photon beam diffusion's is 1.09 for a white, index-matched
+ * are as good as they are: only EXACT's and normalized diffusion's are exact; photon beam diffusion's is 1.09 for a white, index-matched
  * medium; SINGLE_SCATTERING lacks what boundaries send back inside, the better dipole and quantized diffusion lack single
  * scattering; the directional dipole's are far too large: 1.09 and 0.80 for alpha' = 0.99 and indices of 1 and 1.4 (exact: 0.75
  * and 0.62), 0.35 and 0.19 for alpha' = 0.5 (0.12 and 0.05); they do not go to 0 with the scattering (0.21 and 0.12), but where
@@ -40,7 +40,7 @@ extern "C" {
 #endif
 
 /* Name of a model, TYN_BSSRDF_* of tyndall_types.h: "standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole",
- * "normalized-diffusion", "gaussians", "single-scattering", "quantized-diffusion", "directional-dipole"; NULL for no
+ * "normalized-diffusion", "gaussians", "single-scattering", "quantized-diffusion", "directional-dipole", "exact"; NULL for no
  * such model. */
 TYN_API const char *tyn_bssrdf_model_name(uint32_t model);
 
@@ -57,9 +57,9 @@ typedef struct TynBssrdfOptions {
   const double
       *gaussian_weights; /* GAUSSIANS: channel_count x gaussian_count, >= 0; a channel's sum, its albedo, at most 1 */
   const double *gaussian_variances; /* GAUSSIANS: as many, > 0, length^2: of x and of y; within a factor of 1e20 */
-  uint64_t exact_events; /* EXACT: scattering events that a table is made of, 1 .. 1e15; default 1.5e9 */
-  TynProgress progress;  /* EXACT: called while a table is made; may be NULL */
-  void *user;            /* passed to progress */
+  uint64_t exact_events;            /* EXACT: scattering events that a table is made of, 1 .. 1e15; default 1.5e9 */
+  TynProgress progress;             /* EXACT: called while a table is made; may be NULL */
+  void *user;                       /* passed to progress */
 } TynBssrdfOptions;
 
 static inline TynBssrdfOptions tyn_bssrdf_options(void) {
