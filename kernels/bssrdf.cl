@@ -3,8 +3,7 @@
 // BSSRDF models in bulk: profiles, radii, densities, values. A work-item has a row of TYN_BSSRDF_ROW x TYN_LANES radii or
 // paths; results of several channels are stored channel by channel.
 #include "bssrdf_directions.clh"
-#include "bssrdf_profile.clh"
-#include "bssrdf_sample.clh"
+#include "bssrdf_mixture.clh"
 #include "random.clh"
 
 // Lanes of radii; those beyond the end of the array are 1.
@@ -23,21 +22,6 @@ static void store_lanes(global float *values, size_t first, ulong count, LaneFlo
   for (int lane = 0; lane < TYN_LANES; ++lane)
     if (first + (size_t)lane < count)
       values[first + (size_t)lane] = x.lane[lane];
-}
-
-// Density of the radii that bssrdf_sample draws: channels are drawn in proportion to their albedos. 0 for r that is not above
-// 0.
-static LaneFloat mixed_density(global const TynProfileRecord *records, global const float *terms, uint channels,
-                               LaneFloat radius) {
-  LaneFloat density = (LaneFloat)(0.0f);
-  for (uint c = 0u; c < channels; ++c) {
-    TynProfileRecord record = records[c];
-    if (record.chance == 0.0f)
-      continue;
-    LaneFloat x = radius * record.per_length;
-    density += record.chance * profile_density(record, terms, x, profile_value(record, terms, x));
-  }
-  return lane_choose(lane_lt((LaneFloat)(0.0f), radius), density, (LaneFloat)(0.0f));
 }
 
 kernel void bssrdf_profile(global const TynProfileRecord *records, global const float *terms, uint channels,
@@ -68,33 +52,6 @@ kernel void bssrdf_density(global const TynProfileRecord *records, global const 
   size_t first = get_global_id(0) * TYN_BSSRDF_ROW * TYN_LANES;
   for (uint i = 0u; i < TYN_BSSRDF_ROW && first < count; ++i, first += TYN_LANES)
     store_lanes(density, first, count, mixed_density(records, terms, channels, load_lanes(radii, first, count)));
-}
-
-// The channel that each lane draws from: the first whose cumulative chance is above u.
-static LaneInt choose_channels(global const TynProfileRecord *records, uint channels, LaneFloat u) {
-  LaneInt channel = (LaneInt)(0);
-  float below = 0.0f;
-  for (uint c = 0u; c + 1u < channels; ++c) {
-    below += records[c].chance;
-    if (records[c + 1u].chance == 0.0f)
-      continue; // rounding must not lead there
-    channel = lane_choose(lane_le((LaneFloat)(below), u), (LaneInt)((int)c + 1), channel);
-  }
-  return channel;
-}
-
-static LaneFloat draw_radius(global const TynProfileRecord *records, global const float *terms, uint channels,
-                             const LaneUint random[4]) {
-  LaneInt channel = choose_channels(records, channels, lane_uniform(random[0]));
-  LaneFloat u = lane_uniform_fine(random[1]), v = lane_uniform_fine(random[2]), radius = (LaneFloat)(0.0f);
-  for (uint c = 0u; c < channels; ++c) {
-    LaneInt mine = lane_eq(channel, (LaneInt)((int)c));
-    if (!lane_any(mine) || records[c].chance == 0.0f)
-      continue;
-    TynProfileRecord record = records[c];
-    radius = lane_choose(mine, profile_draw(record, terms, u, v) * record.length, radius);
-  }
-  return radius;
 }
 
 // Radii, their densities, and what each channel weighs there: R / density.

@@ -67,7 +67,18 @@ typedef struct TynProfileRecord {
   float lobe;          // 1 / (pi c), c = 2 int_0^1 F_t(mu) mu dmu of light from outside, where it leaves
   uint32_t directions; // TYN_DIRECTIONS_*
   uint32_t more;       // of the terms that the directions add, in floats
-} TynProfileRecord;    // 68 bytes
+  float reach;         // beyond it lies at most TYN_BSSRDF_TAIL of the albedo; in the caller's unit of length
+} TynProfileRecord;    // 72 bytes
+
+// What of an albedo may lie beyond the radius that probe rays look for all of the surface in.
+#define TYN_BSSRDF_TAIL 1e-3
+
+// A medium's profiles over a range of albedos, in units of its mean free path: `count` records from `first` on, by rising
+// s = sqrt((1 - albedo) / (1 - g albedo)), each with its s in an array of its own.
+typedef struct TynProfileFamily {
+  uint32_t first;
+  uint32_t count;   // 0: nobody uses the medium
+} TynProfileFamily; // 8 bytes
 
 // Radii that one lane of a work-item goes through.
 #define TYN_BSSRDF_ROW 16u

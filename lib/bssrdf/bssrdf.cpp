@@ -44,11 +44,14 @@ TynProfileRecord record_of(const Profile &profile, double all_albedos, std::vect
   record.albedo = float(profile.albedo);
   record.chance = all_albedos > 0 ? float(profile.albedo / all_albedos) : 0;
   append(terms, profile.terms);
-  record.chances = uint32_t(terms.size());
+  std::vector<double> chances;
   if (profile.albedo > 0 && profile.kind == TYN_PROFILE_GAUSSIANS)
-    append(terms, gaussian_chances(profile));
+    chances = gaussian_chances(profile);
   else if (profile.albedo > 0 && profile.kind != TYN_PROFILE_EXPONENTIALS)
-    append(terms, sampler_chances(profile));
+    chances = sampler_chances(profile);
+  record.reach = float(profile.length * profile_reach(profile, chances, TYN_BSSRDF_TAIL));
+  record.chances = uint32_t(terms.size());
+  append(terms, chances);
   record.directions = profile.directions;
   record.more = uint32_t(terms.size());
   append(terms, profile.more);
@@ -75,6 +78,8 @@ TynBssrdf::TynBssrdf(TynContext &context_, tyn::PreparedBssrdf prepared)
   }
   records = tyn::Buffer(context, host_records.size() * sizeof(TynProfileRecord), CL_MEM_READ_ONLY);
   context.write(records, host_records.data(), records.size());
+  for (const TynProfileRecord &record : host_records)
+    reach = std::max(reach, record.reach);
   terms = tyn::Buffer(context, host_terms.size() * sizeof(float), CL_MEM_READ_ONLY);
   context.write(terms, host_terms.data(), terms.size());
   context.retain();

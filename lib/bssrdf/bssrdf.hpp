@@ -34,6 +34,7 @@ struct TynBssrdf {
   const std::vector<tyn::Profile> profiles;
   tyn::Buffer records; // TynProfileRecord of each channel
   tyn::Buffer terms;   // float: the terms of all channels, and their chances
+  float reach = 0;     // the largest of the records'
 
 private:
   std::atomic<uint32_t> references{1};

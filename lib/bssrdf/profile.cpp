@@ -70,6 +70,18 @@ std::vector<double> ring_integrals(const Profile &p) {
 
 double sum(const std::vector<double> &values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
+constexpr double FARTHEST = 1e6;
+
+// The fraction of the albedo beyond x, of shapes that have it in closed form.
+double tail_of_closed_form(const Profile &p, double x) {
+  if (p.kind == TYN_PROFILE_EXPONENTIALS)
+    return std::exp(-x) / 4 + 3 * std::exp(-x / 3) / 4;
+  double beyond = 0; // a / b is twice the weight over pi
+  for (uint32_t i = 0; i < p.count; i++)
+    beyond += pi * p.terms[2 * i] / p.terms[2 * i + 1] * std::exp(-p.terms[2 * i + 1] * x * x);
+  return beyond / p.albedo;
+}
+
 } // namespace
 
 PairLight pair_light(const SourcePair &pair, double falloff, double x) {
@@ -197,6 +209,24 @@ std::vector<double> sampler_chances(const Profile &profile) {
     chances.push_back(chances.back() + ring / all);
   chances.back() = 1;
   return chances;
+}
+
+double profile_reach(const Profile &p, const std::vector<double> &chances, double tail) {
+  if (!(p.albedo > 0))
+    return 0;
+  if (p.kind == TYN_PROFILE_GAUSSIANS || p.kind == TYN_PROFILE_EXPONENTIALS) {
+    double low = 0, high = FARTHEST;
+    for (int i = 0; i < 64; i++) {
+      const double middle = 0.5 * (low + high);
+      (tail_of_closed_form(p, middle) > tail ? low : high) = middle;
+    }
+    return high;
+  }
+  uint32_t k = 1;
+  while (k + 1 < TYN_SAMPLER_CELLS && 1 - chances[k] > tail)
+    k++;
+  // what is beyond x in the last cell, which has no end, is like 1 / x
+  return sampler_border(k) * std::min(std::max((1 - chances[k]) / tail, 1.0), FARTHEST);
 }
 
 } // namespace tyn

@@ -69,4 +69,8 @@ double sampler_border(uint32_t k);
 // The chance of a radius below each border, and 1: TYN_SAMPLER_CELLS + 1 values. Needs an albedo above 0.
 std::vector<double> sampler_chances(const Profile &profile);
 
+// A radius in units of the profile's length beyond which lies at most the fraction `tail` of the albedo; tables to the next
+// border of the sampler's cells, whose chances are given. 0 without an albedo.
+double profile_reach(const Profile &profile, const std::vector<double> &chances, double tail);
+
 } // namespace tyn

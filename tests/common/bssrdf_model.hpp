@@ -32,7 +32,7 @@ public:
   std::vector<float> pdf(const std::vector<float> &radii) const;
   std::vector<float> evaluate(const std::vector<TynBssrdfPath> &paths) const;
   BssrdfSamples sample(uint64_t seed, uint64_t first, size_t count) const;
-  const TynBssrdf *get() const { return handle.get(); }
+  TynBssrdf *get() const { return handle.get(); }
 
 private:
   std::unique_ptr<TynBssrdf, ReleaseBssrdf> handle;

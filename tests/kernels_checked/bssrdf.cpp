@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/bssrdf_exits.hpp"
 #include "common/bssrdf_model.hpp"
 #include "common/bssrdf_paths.hpp"
 #include "common/walk_scene.hpp"
@@ -35,6 +36,27 @@ TEST_P(CheckedBssrdf, OfEveryShape) {
       EXPECT_TRUE(std::isfinite(value));
     for (float radius : model.sample(1, 0, 21).radii)
       EXPECT_GT(radius, 0);
+  }
+}
+
+// Several points on a probe, triangles that are turned.
+TEST_P(CheckedBssrdf, ExitsOfEveryShape) {
+  ContextHandle context = make_context(GetParam());
+  SceneHandle scene = make_scene(context.get(), with_flipped(icosphere(1), 4), grey_medium(1, 1));
+  const double weights[] = {0.3, 0.2}, variances[] = {1, 4};
+  for (uint32_t kind : {TYN_BSSRDF_BETTER_DIPOLE, TYN_BSSRDF_SINGLE_SCATTERING, TYN_BSSRDF_NORMALIZED_DIFFUSION,
+                        TYN_BSSRDF_GAUSSIANS}) {
+    TynBssrdfOptions options = tyn_bssrdf_options();
+    options.model = kind;
+    options.gaussian_count = 2;
+    options.gaussian_weights = weights;
+    options.gaussian_variances = variances;
+    ExactSlab slab({{0.1, 0.9, 0, 1.4, INFINITY}});
+    const BssrdfModel model(slab.view(), options, context.get());
+    size_t found = 0;
+    for (const TynBssrdfExit &exit : exits_of(model, scene.get(), bssrdf_entry({0, 1, 0}, {0, 1, 0}), 12, 1).exits)
+      found += exit.status == TYN_BSSRDF_EXIT_FOUND;
+    EXPECT_GT(found, 0u);
   }
 }
 

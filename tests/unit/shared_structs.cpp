@@ -58,6 +58,16 @@ const Layout &host_layout() {
       FIELD(TynBssrdfPath, entry_direction), FIELD(TynBssrdfPath, exit_position),
       FIELD(TynBssrdfPath, exit_normal), FIELD(TynBssrdfPath, exit_direction),
 
+      RECORD(TynBssrdfEntry),
+      FIELD(TynBssrdfEntry, position), FIELD(TynBssrdfEntry, mesh), FIELD(TynBssrdfEntry, normal),
+      FIELD(TynBssrdfEntry, reserved), FIELD(TynBssrdfEntry, path), FIELD(TynBssrdfEntry, reserved2),
+
+      RECORD(TynBssrdfExit),
+      FIELD(TynBssrdfExit, position), FIELD(TynBssrdfExit, status), FIELD(TynBssrdfExit, geometric_normal),
+      FIELD(TynBssrdfExit, triangle), FIELD(TynBssrdfExit, shading_normal), FIELD(TynBssrdfExit, hits),
+      FIELD(TynBssrdfExit, u), FIELD(TynBssrdfExit, v), FIELD(TynBssrdfExit, uv), FIELD(TynBssrdfExit, distance),
+      FIELD(TynBssrdfExit, pdf), FIELD(TynBssrdfExit, reserved),
+
       RECORD(TynBvhNode),
       FIELD(TynBvhNode, bounds), FIELD(TynBvhNode, child),
 
@@ -184,6 +194,11 @@ const Layout &host_layout() {
       FIELD(TynProfileRecord, lobe),
       FIELD(TynProfileRecord, directions),
       FIELD(TynProfileRecord, more),
+      FIELD(TynProfileRecord, reach),
+
+      RECORD(TynProfileFamily),
+      FIELD(TynProfileFamily, first),
+      FIELD(TynProfileFamily, count),
 
       RECORD(TynSlabLayerRecord),
       FIELD(TynSlabLayerRecord, mean_free_path), FIELD(TynSlabLayerRecord, albedo), FIELD(TynSlabLayerRecord, g),
@@ -307,6 +322,8 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynMediumRecord), 48u);
   EXPECT_EQ(sizeof(TynWalkParameters), 44u);
   EXPECT_EQ(sizeof(TynWalkTally), 40u);
+  EXPECT_EQ(sizeof(TynBssrdfEntry), 48u);
+  EXPECT_EQ(sizeof(TynBssrdfExit), 80u);
 }
 
 } // namespace

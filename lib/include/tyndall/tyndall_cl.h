@@ -49,6 +49,13 @@ TYN_API TynStatus tyn_bssrdf_sample_cl(TynBssrdf *bssrdf, uint64_t seed, uint64_
  * and directions are not unit vectors, gives some number. */
 TYN_API TynStatus tyn_bssrdf_evaluate_cl(TynBssrdf *bssrdf, cl_mem paths, size_t count, cl_mem values);
 
+/* tyn_bssrdf_sample_exits on buffers: `entries` holds `count` TynBssrdfEntry, at most 2^32 - 1 of them, `exits` receives
+ * `count` TynBssrdfExit, `weights` channel_count x count floats or is NULL. Enqueued on the context's queue; does not wait.
+ * The contents are not checked, except that an index out of range or a number that is not finite ends as
+ * TYN_BSSRDF_EXIT_LOST. */
+TYN_API TynStatus tyn_bssrdf_sample_exits_cl(TynBssrdf *bssrdf, TynScene *scene, uint64_t seed, uint64_t first,
+                                             cl_mem entries, size_t count, cl_mem exits, cl_mem weights);
+
 #ifdef __cplusplus
 }
 #endif

@@ -95,6 +95,40 @@ typedef struct TynWalkExit {
   uint32_t reserved; /* 0 */
 } TynWalkExit;
 
+/* Where light gets into a mesh, for tyn_bssrdf_sample_exits: 48 bytes. */
+typedef struct TynBssrdfEntry {
+  float position[3];     /* on the surface of the mesh; what is nearer to it than its rounding does not matter */
+  uint32_t mesh;         /* whose surface the light leaves through, too */
+  float normal[3];       /* unit, of the surface there, outside */
+  uint32_t reserved;     /* 0 */
+  uint32_t path[2];      /* low and high word added to the call's first + index: chooses the random numbers; 0 0 */
+  uint32_t reserved2[2]; /* 0 */
+} TynBssrdfEntry;
+
+/* What was found of an entry. */
+enum {
+  TYN_BSSRDF_EXIT_FOUND = 0, /* a point of the mesh's surface */
+  TYN_BSSRDF_EXIT_NONE = 1, /* there is no surface where it was looked for, or no channel has an albedo: weights and all
+                                members but distance, which is the radius that was drawn, are 0, triangle is TYN_NONE */
+  TYN_BSSRDF_EXIT_LOST =
+      2 /* tyn_bssrdf_sample_exits_cl only: a bad mesh index, or a number that is not finite; as NONE */
+};
+
+/* Where light that got in leaves: 80 bytes. */
+typedef struct TynBssrdfExit {
+  float position[3];         /* on `triangle` */
+  uint32_t status;           /* TYN_BSSRDF_EXIT_* */
+  float geometric_normal[3]; /* unit, outside */
+  uint32_t triangle;         /* within the mesh */
+  float shading_normal[3];   /* unit, interpolated vertex normals (the geometric normal if the mesh has none) */
+  uint32_t hits;             /* points of the surface that were found, of which this is one, >= 1 */
+  float u, v;                /* barycentric coordinates on `triangle`, as in TynHit */
+  float uv[2];               /* interpolated texture coordinates; 0 0 if the mesh has none */
+  float distance;            /* from the entry, straight, scene units */
+  float pdf; /* chance per area of the surface, 1/length^2: over all channels and axes, times 1 / hits; > 0 */
+  uint32_t reserved[2]; /* 0 */
+} TynBssrdfExit;
+
 /* Phase functions p(cos), 1/sr; see TynPhase in tyndall_phase.h. */
 enum {
   TYN_PHASE_ISOTROPIC = 0,         /* 1 / (4 pi) */
