@@ -183,6 +183,7 @@ private:
     options.seed = arguments_.seed;
     options.max_bounces = arguments_.max_bounces;
     options.exit = arguments_.exit;
+    options.bssrdf = arguments_.bssrdf;
     TynRenderer *renderer = nullptr;
     check(tyn_renderer_create(scene, &options, &renderer), context_.get());
     renderer_.reset(renderer);
@@ -233,13 +234,20 @@ private:
     return names;
   }
 
+  // What went through media: walks, or the model in their place.
+  const char *subsurface() const {
+    return arguments_.bssrdf == TYN_NONE ? "walks" : tyn_bssrdf_model_name(arguments_.bssrdf);
+  }
+
   void write_images() {
     const size_t slash = arguments_.scene.rfind('/');
     const std::string scene_name = slash == std::string::npos ? arguments_.scene : arguments_.scene.substr(slash + 1);
     const std::string media = media_names();
-    const TynAttribute attributes[] = {
-        {"scene", scene_name.c_str()}, {"camera", view_.name.c_str()}, {"media", media.c_str()}};
-    check(tyn_exr_write(renderer_.get(), arguments_.exr.c_str(), attributes, 3), context_.get());
+    const TynAttribute attributes[] = {{"scene", scene_name.c_str()},
+                                       {"camera", view_.name.c_str()},
+                                       {"media", media.c_str()},
+                                       {"subsurface", subsurface()}};
+    check(tyn_exr_write(renderer_.get(), arguments_.exr.c_str(), attributes, 4), context_.get());
     if (arguments_.png.empty())
       return;
     TynPngOptions options = tyn_png_options();
@@ -267,6 +275,7 @@ private:
             {"seconds_shading", stats_.seconds_shading},
             {"error", stats_.error},
             {"seed", stats_.seed},
+            {"subsurface", subsurface()},
             {"paths", stats_.paths},
             {"nonfinite_paths", stats_.nonfinite_paths},
             {"camera", view_.name.empty() ? Json(nullptr) : Json(view_.name)},

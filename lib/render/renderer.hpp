@@ -4,7 +4,9 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
+#include "render/bssrdf_walks.hpp"
 #include "render/film.hpp"
 #include "render/ledger.hpp"
 #include "render/tables.hpp"
@@ -35,6 +37,7 @@ private:
   const uint32_t strategy;
   const tyn::SceneTables tables;
   const TynCameraRecord camera;
+  std::unique_ptr<tyn::BssrdfWalks> bssrdf; // in place of walks; made by the first run
   tyn::RenderLedger ledger;
   tyn::RenderTimes times;
   uint32_t samples = 0;    // that every pixel has

@@ -6,19 +6,27 @@
 #include <cstddef>
 
 #include "core/input.hpp"
+#include "render/bssrdf_walks.hpp"
 #include "scene/validate.hpp"
 
 namespace {
 
 TynRenderOptions checked_options(const TynRenderOptions *given) {
   const TynRenderOptions options =
-      given ? tyn::read_struct("TynRenderOptions", given, tyn_render_options()) : tyn_render_options();
+      given ? tyn::read_struct("TynRenderOptions", given, tyn_render_options(), offsetof(TynRenderOptions, bssrdf))
+            : tyn_render_options();
   tyn::require_between("TynRenderOptions::width", options.width, 1, 32768);
   tyn::require_between("TynRenderOptions::height", options.height, 1, 32768);
   tyn::require_between("TynRenderOptions::max_bounces", options.max_bounces, 1, 16777215);
   tyn::require_choice("TynRenderOptions::exit", options.exit, 2);
   tyn::require_size("TynCamera", options.camera.size, sizeof(TynCamera), sizeof(TynCamera));
   tyn::validate(options.camera);
+  if (options.bssrdf != TYN_NONE && options.exit == TYN_EXIT_DIELECTRIC)
+    tyn::fail(
+        TYN_ERROR_INVALID_ARGUMENT,
+        "TynRenderOptions::exit is %u (dielectric), a walk's own direction, which TynRenderOptions::bssrdf %u does "
+        "not give; it must be %u (diffuse)",
+        options.exit, options.bssrdf, TYN_EXIT_DIFFUSE);
   return options;
 }
 
@@ -43,7 +51,10 @@ extern "C" TynStatus tyn_renderer_create(TynScene *scene, const TynRenderOptions
   return tyn::guarded(&scene->context, [&] {
     tyn::require_pointer("renderer", renderer);
     scene->require_committed();
-    *renderer = new TynRenderer(*scene, checked_options(options));
+    const TynRenderOptions checked = checked_options(options);
+    if (checked.bssrdf != TYN_NONE)
+      tyn::require_bssrdf(*scene, checked.bssrdf);
+    *renderer = new TynRenderer(*scene, checked);
   });
 }
 

@@ -10,7 +10,7 @@ double &RenderTimes::part_of(Parts &parts, const char *kernel) {
   const std::string_view name = kernel;
   if (name == "camera_rays" || name == "trace_paths" || name == "trace_shadows")
     return parts.rays;
-  if (name == "walk_paths" || name == "ledger_sum")
+  if (name == "walk_paths" || name == "bssrdf_walks" || name == "ledger_sum")
     return parts.walks;
   if (name == "shade_exits")
     return parts.exits;

@@ -38,11 +38,12 @@ size_t Wavefront::preferred_capacity(const TynContext &context) {
   return context.is_gpu() || context.device_info.compute_units > 32 ? 1 << 20 : 65535 / local_size * local_size;
 }
 
-Wavefront::Wavefront(TynScene &owner, const SceneTables &records, size_t most)
-    : scene(owner), context(owner.context), tables(records), path_capacity(fitting_capacity(owner, most)),
-      paths(context, path_capacity * sizeof(TynPathState)), results(context, path_capacity * sizeof(TynPathResult)),
-      queue(context, path_capacity * sizeof(uint32_t)), next(context, path_capacity * sizeof(uint32_t)),
-      shadows(context, path_capacity * sizeof(TynShadowRay)), counters(context, TYN_COUNTERS * sizeof(uint32_t)) {
+Wavefront::Wavefront(TynScene &owner, const SceneTables &records, size_t most, BssrdfWalks *instead)
+    : scene(owner), context(owner.context), tables(records), bssrdf(instead),
+      path_capacity(fitting_capacity(owner, most)), paths(context, path_capacity * sizeof(TynPathState)),
+      results(context, path_capacity * sizeof(TynPathResult)), queue(context, path_capacity * sizeof(uint32_t)),
+      next(context, path_capacity * sizeof(uint32_t)), shadows(context, path_capacity * sizeof(TynShadowRay)),
+      counters(context, TYN_COUNTERS * sizeof(uint32_t)) {
   const size_t walks = scene.medium_records.empty() ? 0 : path_capacity;
   entries = Buffer(context, walks * sizeof(TynWalkEntry));
   exits = Buffer(context, walks * sizeof(TynWalkExit));
@@ -68,12 +69,15 @@ void Wavefront::bounce(const TynRenderParameters &parameters, uint32_t active) {
 }
 
 void Wavefront::walk(const TynRenderParameters &parameters, uint32_t count, RenderLedger &ledger) {
-  TynWalkOptions options = tyn_walk_options();
-  TynWalkParameters walk = walk_parameters(scene, options);
-  walk.seed[0] = parameters.seed[0];
-  walk.seed[1] = parameters.seed[1];
-  walk.count = count;
-  enqueue_walk(scene, walk, entries.get(), exits.get(), tallies.get());
+  if (bssrdf) {
+    bssrdf->enqueue(parameters, count, entries.get(), exits.get(), tallies.get());
+  } else {
+    TynWalkParameters walk = walk_parameters(scene, tyn_walk_options());
+    walk.seed[0] = parameters.seed[0];
+    walk.seed[1] = parameters.seed[1];
+    walk.count = count;
+    enqueue_walk(scene, walk, entries.get(), exits.get(), tallies.get());
+  }
   ledger.add(context, entries, exits, tallies, count, partial);
   const SceneBuffers &b = scene.buffers;
   const SceneTables &t = tables;

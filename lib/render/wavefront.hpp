@@ -4,6 +4,7 @@
 #pragma once
 
 #include "kernels/shared_render.h"
+#include "render/bssrdf_walks.hpp"
 #include "render/film.hpp"
 #include "render/ledger.hpp"
 #include "render/tables.hpp"
@@ -14,8 +15,9 @@ namespace tyn {
 
 class Wavefront {
 public:
-  // Takes device memory for up to `most` paths, fewer if the context's limit asks for it. Throws OUT_OF_MEMORY.
-  Wavefront(TynScene &scene, const SceneTables &tables, size_t most);
+  // Takes device memory for up to `most` paths, fewer if the context's limit asks for it. `bssrdf`: in place of walks, or
+  // nullptr. Throws OUT_OF_MEMORY.
+  Wavefront(TynScene &scene, const SceneTables &tables, size_t most, BssrdfWalks *bssrdf = nullptr);
 
   size_t capacity() const { return path_capacity; }
   // Largest useful capacity on the context's device.
@@ -38,6 +40,7 @@ private:
   TynScene &scene;
   TynContext &context;
   const SceneTables &tables;
+  BssrdfWalks *const bssrdf;
   size_t path_capacity;
   Buffer paths, results, queue, next, shadows, counters;
   Buffer entries, exits, tallies, walk_paths, partial; // empty in a scene without media

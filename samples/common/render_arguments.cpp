@@ -89,11 +89,26 @@ void check_number(const char *option, double value, double lowest, const char *a
     throw Error(kUsage, std::string(option) + ": expected " + allowed);
 }
 
+// A model by name; all but the one whose profile a medium does not give.
+uint32_t parse_bssrdf(const std::string &name) {
+  if (name.empty())
+    return TYN_NONE;
+  const uint32_t model = tyn_bssrdf_find_model(name.c_str());
+  if (model != TYN_BSSRDF_MODEL_COUNT && model != TYN_BSSRDF_GAUSSIANS)
+    return model;
+  std::string names;
+  for (uint32_t i = 0; i < TYN_BSSRDF_MODEL_COUNT; ++i)
+    if (i != TYN_BSSRDF_GAUSSIANS)
+      names += (names.empty() ? "" : ", ") + std::string(tyn_bssrdf_model_name(i));
+  throw Error(kUsage, "--bssrdf " + name + ": expected one of " + names);
+}
+
 // The strings that need more than CLI11's own conversions.
 struct RawArguments {
   std::string environment;
   std::vector<std::string> media;
   std::string exit = "diffuse";
+  std::string bssrdf;
   std::string tone = "srgb";
   uint32_t max_bounces = tyn_render_options().max_bounces;
 };
@@ -147,6 +162,8 @@ void add_quality_options(CLI::App &app, RenderArguments &arguments, RawArguments
                  "noise) (diffuse)")
       ->type_name("MODEL")
       ->check(CLI::IsMember({"diffuse", "dielectric"}));
+  app.add_option("--bssrdf", raw.bssrdf, "a model in place of walks, fast and approximate; any\nother word lists them")
+      ->type_name("MODEL");
 }
 
 void add_general_options(CLI::App &app, RenderArguments &arguments) {
@@ -171,6 +188,9 @@ void finish_arguments(const RawArguments &raw, RenderArguments &arguments) {
   arguments.media = parse_media(raw.media);
   arguments.max_bounces = raw.max_bounces;
   arguments.exit = raw.exit == "dielectric" ? TYN_EXIT_DIELECTRIC : TYN_EXIT_DIFFUSE;
+  arguments.bssrdf = parse_bssrdf(raw.bssrdf);
+  if (arguments.bssrdf != TYN_NONE && arguments.exit == TYN_EXIT_DIELECTRIC)
+    throw Error(kUsage, "--bssrdf and --exit dielectric: a model gives no direction for light to leave along");
   arguments.tone = raw.tone == "aces" ? TYN_TONE_ACES : TYN_TONE_SRGB;
 }
 

@@ -36,6 +36,7 @@ struct RenderArguments {
   std::vector<MediumArgument> media;
   uint32_t max_bounces = 0;
   uint32_t exit = 0;     // TYN_EXIT_*
+  uint32_t bssrdf = 0;   // TYN_BSSRDF_*, or TYN_NONE: walks
   double exposure = 0.0; // stops
   uint32_t tone = 0;     // TYN_TONE_*
   std::string device;

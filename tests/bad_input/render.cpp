@@ -83,6 +83,43 @@ TEST_F(BadRender, UnknownChoicesAreRefused) {
   expect_refused(options, "max_bounces");
 }
 
+TEST_F(BadRender, BssrdfModelsThatItCannotUseAreRefused) {
+  TynRenderOptions options = film_options(4, 4, tyn_camera());
+  options.bssrdf = TYN_BSSRDF_MODEL_COUNT;
+  expect_refused(options, "bssrdf is " + std::to_string(TYN_BSSRDF_MODEL_COUNT));
+  expect_refused(options, "standard-dipole, better-dipole");
+  options.bssrdf = TYN_BSSRDF_GAUSSIANS;
+  expect_refused(options, "gaussians");
+  options.bssrdf = TYN_BSSRDF_STANDARD_DIPOLE;
+  options.exit = TYN_EXIT_DIELECTRIC;
+  expect_refused(options, "exit is 1 (dielectric)");
+}
+
+// Media that no mesh holds do not matter.
+TEST_F(BadRender, ABssrdfOfAMediumWithoutExtinctionIsRefused) {
+  TynMedium clear = tyn_medium(), red = tyn_medium();
+  clear.name = "air";
+  red.name = "red glass";
+  red.sigma_a[1] = red.sigma_a[2] = red.sigma_s[1] = 1;
+  TynRenderOptions options = film_options(4, 4, tyn_camera());
+  options.bssrdf = TYN_BSSRDF_STANDARD_DIPOLE;
+  for (const bool held : {false, true}) {
+    Scene with_media(context);
+    uint32_t medium = TYN_NONE;
+    ASSERT_EQ(tyn_scene_add_medium(with_media, &clear, nullptr), TYN_OK);
+    ASSERT_EQ(tyn_scene_add_medium(with_media, &red, &medium), TYN_OK);
+    with_media.add(icosphere(1), held ? medium : TYN_NONE);
+    with_media.commit();
+    EXPECT_EQ(tyn_renderer_create(with_media, &options, &renderer), held ? TYN_ERROR_INVALID_ARGUMENT : TYN_OK);
+    if (held) {
+      EXPECT_NE(with_media.message().find("medium 1 (\"red glass\") has no extinction in channel 0"), std::string::npos)
+          << with_media.message();
+    }
+    tyn_renderer_release(renderer);
+    renderer = nullptr;
+  }
+}
+
 TEST_F(BadRender, ASceneMustBeCommittedFirst) {
   Scene open(context);
   open.add(icosphere(1));

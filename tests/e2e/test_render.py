@@ -58,6 +58,22 @@ class Render(ToolTest):
             spent = sum(ledger[part][c] for part in LEDGER[1:])
             self.assertAlmostEqual(spent / ledger["entered"][c], 1, places=5)
 
+    def test_a_model_takes_the_place_of_walks_and_is_named(self):
+        model = self.skin(lights=[LIGHT])
+        walked = self.report(model, "--spp", 4, "--width", 32)
+        self.assertEqual(walked["subsurface"], "walks")
+        self.assertEqual(exr_header(self.path("out.exr"))["subsurface"][1], "walks")
+        for name in ("normalized-diffusion", "photon-beam-diffusion"):
+            report = self.report(model, "--spp", 4, "--width", 32, "--bssrdf", name)
+            self.assertEqual(report["subsurface"], name)
+            self.assertEqual(exr_header(self.path("out.exr"))["subsurface"][1], name)
+            ledger = report["ledger"]
+            self.assertGreater(ledger["escaped_walks"], 100)
+            self.assertEqual(ledger["scatterings"], ledger["escaped_walks"])
+            for c in range(3):
+                spent = sum(ledger[part][c] for part in LEDGER[1:])
+                self.assertAlmostEqual(spent / ledger["entered"][c], 1, places=5)
+
     def test_quiet_says_nothing(self):
         result = self.render(self.skin(lights=[LIGHT]), "--spp", 1, "--width", 16, "-q")
         self.assertEqual((result.stdout, result.stderr), ("", ""))

@@ -8,7 +8,7 @@ from tools import ToolTest, cube, run
 TOOLS = ("tyndall-render", "tyndall-info", "tyndall-demo-scene")
 
 RENDER_OPTIONS = """-o --output --png --width --height --spp --target-error --time-limit --seed --camera --env
-  --env-rotation --no-lights --medium --max-bounces --exit --exposure --tone --device --json -q --quiet -v --verbose
+  --env-rotation --no-lights --medium --max-bounces --exit --bssrdf --exposure --tone --device --json -q --quiet -v --verbose
   --version --help""".split()
 INFO_OPTIONS = "--medium --devices --media --device --json -q --quiet --version --help".split()
 
@@ -57,6 +57,11 @@ class Usage(ToolTest):
     def test_media(self):
         self.check_usage("model.glb", "-o", "a.exr", "--medium", "granite", word="marble")
         self.check_usage("model.glb", "-o", "a.exr", "--medium", "=marble", word="--medium")
+
+    def test_models(self):
+        self.check_usage("model.glb", "-o", "a.exr", "--bssrdf", "tripole", word="standard-dipole, better-dipole")
+        self.check_usage("model.glb", "-o", "a.exr", "--bssrdf", "gaussians", word="--bssrdf gaussians")
+        self.check_usage("model.glb", "-o", "a.exr", "--bssrdf", "better-dipole", "--exit", "dielectric", word="--exit")
 
     def test_the_names_of_the_images(self):
         self.check_usage("model.glb", "-o", "a.png", word=".exr")

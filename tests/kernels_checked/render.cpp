@@ -121,11 +121,12 @@ void add_thin_leaf_and_lamp(SceneBuilder &builder) {
   builder.add_mesh(translated(single_triangle(), 0, 3, 0), builder.add_material(lamp));
 }
 
-void render(SceneBuilder &builder, uint32_t exit) {
+void render(SceneBuilder &builder, uint32_t exit, uint32_t bssrdf = TYN_NONE) {
   builder.check(tyn_scene_commit(builder.scene.get()));
   TynRenderOptions options = tyn_render_options();
   options.width = options.height = 4;
   options.exit = exit;
+  options.bssrdf = bssrdf;
   options.max_bounces = 8;
   builder.check(tyn_scene_frame(builder.scene.get(), 1, &options.camera));
   TynRenderer *created = nullptr;
@@ -173,6 +174,17 @@ TEST_P(CheckedRender, OfASmoothBodyUnderAConstantSky) {
   add_subsurface_sphere(builder, 0);
   builder.set_environment({1, 0.5f, 0.25f}, TYN_NONE);
   render(builder, TYN_EXIT_DIELECTRIC);
+}
+
+// A range of albedos is prepared; and one model after the other, tabulated and not.
+TEST_P(CheckedRender, WithBssrdfModels) {
+  for (const uint32_t model : {TYN_BSSRDF_NORMALIZED_DIFFUSION, TYN_BSSRDF_QUANTIZED_DIFFUSION}) {
+    ContextHandle context = make_context(GetParam());
+    SceneBuilder builder(context.get());
+    add_subsurface_sphere(builder, 0);
+    builder.set_environment({1, 0.5f, 0.25f}, TYN_NONE);
+    render(builder, TYN_EXIT_DIFFUSE, model);
+  }
 }
 
 TEST_P(CheckedRender, OfASceneWithoutLight) {

@@ -488,9 +488,17 @@ typedef struct TynRenderOptions {
   uint64_t seed;          /* default 0 */
   uint32_t
       max_bounces; /* surface interactions of a path, >= 1; default 64; a walk counts as one. Roulette ends most before. */
-  uint32_t exit; /* TYN_EXIT_* */
+  uint32_t exit;   /* TYN_EXIT_* */
+  uint32_t bssrdf; /* TYN_BSSRDF_*: a model in place of walks; TYN_NONE (default): walks. See below. */
 } TynRenderOptions;
 
+/* With a BSSRDF model, light that enters a medium leaves where tyn_bssrdf_sample_exits would draw it, by the profile of the
+ * medium as a half-space, its boundary and phase function included, and goes on by the diffuse lobe. Fast and approximate: for
+ * dense media and surfaces that are flat over a few mean free paths. An albedo of the entry point's own (multiscatter_color)
+ * counts: profiles are prepared for a range of albedos by the first tyn_renderer_run, in up to some seconds a medium, and
+ * blended. TYN_EXIT_DIELECTRIC, the model GAUSSIANS, and a mesh's medium with a channel without extinction are
+ * INVALID_ARGUMENT. The ledger: absorbed is what the model keeps of light on a plane (negative where a model's albedo exceeds
+ * 1), balance the difference to what was found; light that comes from inside a mesh, through a hole, is leaked. */
 static inline TynRenderOptions tyn_render_options(void) {
   TynRenderOptions options;
   memset(&options, 0, sizeof options);
@@ -499,6 +507,7 @@ static inline TynRenderOptions tyn_render_options(void) {
   options.height = 480;
   options.camera = tyn_camera();
   options.max_bounces = 64;
+  options.bssrdf = TYN_NONE;
   return options;
 }
 
