@@ -5,7 +5,27 @@
 #undef TYN_LANES
 #define TYN_LANES 1
 #include "bssrdf_mixture.clh"
+
+typedef struct {
+  global const TynProfileRecord *records;
+  global const float *terms;
+  uint channels;
+} ProbeModel;
+
 #include "bssrdf_probe.clh"
+
+static float probe_density(const ProbeModel *model, float r) {
+  return mixed_density(model->records, model->terms, model->channels, r);
+}
+
+static float probe_value(const ProbeModel *model, float r) {
+  float sum = 0.0f;
+  for (uint c = 0u; c < model->channels; ++c) {
+    TynProfileRecord record = model->records[c];
+    sum += profile_value(record, model->terms, r * record.per_length);
+  }
+  return sum;
+}
 
 static void exits_clear(global TynBssrdfExit *exit, uint status, float distance) {
   float3 zero = tyn_vec3(0.0f, 0.0f, 0.0f);
@@ -22,7 +42,7 @@ static void exits_clear(global TynBssrdfExit *exit, uint status, float distance)
 }
 
 static void exits_write(global TynBssrdfExit *exit, SceneGeometry geometry, global const uint *turned, uint mesh,
-                        const ProbePoint *point, float distance, float pdf) {
+                        const ProbePoint *point) {
   uint triangle = point->hit.triangle;
   TynTriangleRecord record = geometry.triangles[triangle];
   int exchanged = (int)(turned[triangle / 32u] >> (triangle % 32u) & 1u);
@@ -38,8 +58,8 @@ static void exits_write(global TynBssrdfExit *exit, SceneGeometry geometry, glob
   exit->v = exchanged ? point->hit.u : point->hit.v;
   exit->uv[0] = uv.x;
   exit->uv[1] = uv.y;
-  exit->distance = distance;
-  exit->pdf = pdf;
+  exit->distance = point->distance;
+  exit->pdf = point->pdf;
   exit->reserved[0] = exit->reserved[1] = 0u;
 }
 
@@ -69,7 +89,9 @@ kernel void bssrdf_exits(global const TynProfileRecord *records, global const fl
     return;
   }
   ulong path = first + i + ((ulong)entry->path[1] << 32 | entry->path[0]);
+  const ProbeModel model = {records, terms, channels};
   Probe probe;
+  probe.model = &model;
   probe.nodes = nodes;
   probe.blocks = blocks;
   probe.root = meshes[entry->mesh].root;
@@ -83,21 +105,13 @@ kernel void bssrdf_exits(global const TynProfileRecord *records, global const fl
   const LaneUint words[4] = {random.x, random.y, random.z, random.w};
   float radius = draw_radius(records, terms, channels, words);
   ProbePoint point = probe_find(&probe, radius);
-  float density = 0.0f;
-  for (int axis = 0; axis < PROBE_AXES && point.hits > 0u; ++axis) {
-    float factor, r = probe_axis_distance(&probe, &point, axis, &factor);
-    if (factor > 0.0f)
-      density += factor * mixed_density(records, terms, channels, r);
-  }
-  float pdf = density / (float)point.hits;
-  if (point.hits == 0u || !(pdf > 0.0f)) {
+  if (!(point.pdf > 0.0f)) {
     exits_clear(exit, TYN_BSSRDF_EXIT_NONE, radius);
     return;
   }
-  float distance = probe_distance(&probe, &point);
-  exits_write(exit, geometry, turned, entry->mesh, &point, distance, pdf);
+  exits_write(exit, geometry, turned, entry->mesh, &point);
   for (uint c = 0u; c < channels && with_weights; ++c) {
     TynProfileRecord record = records[c];
-    weights[c * (size_t)count + i] = profile_value(record, terms, distance * record.per_length) / pdf;
+    weights[c * (size_t)count + i] = profile_value(record, terms, point.distance * record.per_length) / point.pdf;
   }
 }

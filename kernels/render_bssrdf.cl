@@ -8,19 +8,26 @@
 #undef TYN_LANES
 #define TYN_LANES 1
 #include "bssrdf_family.clh"
-#include "bssrdf_probe.clh"
 
 typedef struct {
   Blend blend[3];
-  float chance[3]; // with which a channel's radius is drawn
-  float3 albedo;
+  float chance[3];        // with which a channel's radius is drawn
+  float3 albedo, entered; // of weight
   float reach;
 } Colours;
+
+typedef struct {
+  const Families *all;
+  const Colours *colours;
+} ProbeModel;
+
+#include "bssrdf_probe.clh"
 
 static Colours colours_of(const Families *all, global const TynWalkEntry *entry, global const TynMediumRecord *medium,
                           uint index) {
   Colours colours;
   colours.reach = 0.0f;
+  colours.entered = tyn_load3_global(entry->weight);
   float sum = 0.0f;
   for (int c = 0; c < 3; ++c) {
     float albedo = entry->albedo[0] >= 0.0f ? entry->albedo[c] : medium->albedo[c];
@@ -46,23 +53,25 @@ static float colours_draw(const Families *all, const Colours *colours, uint4 ran
                     lane_uniform_fine(random.z));
 }
 
-static float colours_density(const Families *all, const Colours *colours, float r) {
+static float probe_density(const ProbeModel *model, float r) {
+  const Colours *colours = model->colours;
   float sum = 0.0f;
   for (int c = 0; c < 3; ++c)
     if (colours->chance[c] > 0.0f)
-      sum += colours->chance[c] * blend_density(all, colours->blend + c, r);
+      sum += colours->chance[c] * blend_density(model->all, colours->blend + c, r);
   return sum;
 }
 
-// Density per area with which a point was found.
-static float colours_pdf(const Families *all, const Colours *colours, const Probe *probe, const ProbePoint *point) {
-  float density = 0.0f;
-  for (int axis = 0; axis < PROBE_AXES; ++axis) {
-    float factor, r = probe_axis_distance(probe, point, axis, &factor);
-    if (factor > 0.0f)
-      density += factor * colours_density(all, colours, r);
-  }
-  return density / (float)point->hits;
+// What leaves at distance r, of all that entered.
+static float3 colours_value(const Families *all, const Colours *colours, float r) {
+  return tyn_vec3(blend_value(all, colours->blend, r), blend_value(all, colours->blend + 1, r),
+                  blend_value(all, colours->blend + 2, r)) *
+         colours->entered;
+}
+
+static float probe_value(const ProbeModel *model, float r) {
+  float3 value = colours_value(model->all, model->colours, r);
+  return value.x + value.y + value.z;
 }
 
 // `kept`: the fraction of the weight that the model lets out over a plane; `weight`: that goes out here.
@@ -87,7 +96,7 @@ static void bssrdf_end(global TynWalkExit *exit, uint status, float3 position, f
 }
 
 static void bssrdf_leave(global TynWalkExit *exit, SceneGeometry geometry, uint mesh, const ProbePoint *point,
-                         float distance, float3 weight) {
+                         float3 weight) {
   TynTriangleRecord record = geometry.triangles[point->hit.triangle];
   float2 uv = surface_uv(geometry, record, point->hit.u, point->hit.v);
   tyn_store3_global(exit->position, point->position);
@@ -100,7 +109,7 @@ static void bssrdf_leave(global TynWalkExit *exit, SceneGeometry geometry, uint 
   exit->triangle = point->hit.triangle - geometry.meshes[mesh].first_triangle;
   exit->scatterings = 1u; // or the light would keep its direction
   exit->reserved = 0u;
-  exit->path_length = distance;
+  exit->path_length = point->distance;
   exit->u = point->hit.u;
   exit->v = point->hit.v;
   exit->uv[0] = uv.x;
@@ -134,7 +143,9 @@ kernel void bssrdf_walks(global const TynProfileFamily *families, global const f
   bssrdf_end(exits + i, TYN_WALK_ABSORBED, position, nothing);
   if (!(colours.reach > 0.0f))
     return; // nothing comes back
+  const ProbeModel model = {&all, &colours};
   Probe probe;
+  probe.model = &model;
   probe.nodes = bvh;
   probe.blocks = blocks;
   probe.root = meshes[entry->mesh].root;
@@ -147,21 +158,14 @@ kernel void bssrdf_walks(global const TynProfileFamily *families, global const f
 
   float radius = colours_draw(&all, &colours, probe_random(&probe, PROBE_DRAW_RADIUS));
   ProbePoint point = probe_find(&probe, radius);
-  if (point.hits == 0u)
+  if (!(point.pdf > 0.0f))
     return;
-  float pdf = colours_pdf(&all, &colours, &probe, &point);
-  if (!(pdf > 0.0f))
-    return;
-  float distance = probe_distance(&probe, &point);
-  float3 factor = tyn_vec3(blend_value(&all, colours.blend, distance), blend_value(&all, colours.blend + 1, distance),
-                           blend_value(&all, colours.blend + 2, distance)) *
-                  (1.0f / pdf);
-  float3 weight = entered * factor;
+  float3 weight = colours_value(&all, &colours, point.distance) * (1.0f / point.pdf);
   if (!isfinite(weight.x + weight.y + weight.z)) {
     bssrdf_tally(tallies + i, entered, one, entered);
     bssrdf_end(exits + i, TYN_WALK_LOST, position, entered);
     return;
   }
   bssrdf_tally(tallies + i, entered, colours.albedo, weight);
-  bssrdf_leave(exits + i, geometry, entry->mesh, &point, distance, weight);
+  bssrdf_leave(exits + i, geometry, entry->mesh, &point, weight);
 }

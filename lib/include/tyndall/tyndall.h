@@ -448,14 +448,14 @@ TYN_API TynStatus tyn_walk(TynScene *scene, const TynWalkOptions *options, const
 
 /* ---- Exit points of a BSSRDF ---------------------------------------------------------------------------------------- */
 
-/* Draws a point of the surface where the light of each of `count` entries leaves, by the profile of a model: the point x_o
- * has the density `pdf`, and a channel's integral over the mesh's surface, int f(x_o) R(|x_o - x_i|) dA, is estimated by f
- * times its weight, R / pdf.
- * A radius is drawn as by tyn_bssrdf_sample, and a probe ray along one of three axes (the normal with chance 1/2, two
- * tangents) looks for the mesh's surface at that distance from the axis through the entry; of what it meets one point is
- * taken (King, Kulla, Conty, Fajardo 2013, "BSSRDF Importance Sampling"). `pdf` counts all axes and channels: the estimate is
- * unbiased over a plane, and over any surface within the radius that all but 1/1000 of each channel's albedo is in. Of what
- * is farther away, a part that only one axis sees from its side is left out.
+/* Draws a point of the surface where the light of each of `count` entries leaves, by the profile of a model: a channel's
+ * integral over the mesh's surface, int f(x_o) R(|x_o - x_i|) dA, is estimated by f times its weight, R / pdf.
+ * A radius is drawn as by tyn_bssrdf_sample, and probe rays along three axes (the normal and two tangents) look for the mesh's
+ * surface at that distance from the axes through the entry (after King, Kulla, Conty, Fajardo 2013, "BSSRDF Importance
+ * Sampling"). Of the points that they meet one is chosen, in proportion to R over the density with which all three find it. The
+ * estimate is unbiased over a plane, and over any surface within the radius that all but 1/1000 of each channel's albedo is
+ * in; of what is farther away, a part that only one axis sees from its side is left out. Over a plane the weights of one
+ * channel are as those of tyn_bssrdf_sample.
  * `bssrdf`: of the scene's context, and not of what a slab transmits. `scene`: committed; may be without media.
  * `seed`, `first`: exit i is a function of seed, first + i + the entry's path, and the entry.
  * `entries`: not NULL, `count` of them. `exits`: not NULL, `count`, in the order of the entries.

@@ -125,7 +125,7 @@ typedef struct TynBssrdfExit {
   float u, v;                /* barycentric coordinates on `triangle`, as in TynHit */
   float uv[2];               /* interpolated texture coordinates; 0 0 if the mesh has none */
   float distance;            /* from the entry, straight, scene units */
-  float pdf; /* chance per area of the surface, 1/length^2: over all channels and axes, times 1 / hits; > 0 */
+  float pdf; /* density per area with which the point is found, 1/length^2, times its chance among the hits; > 0 */
   uint32_t reserved[2]; /* 0 */
 } TynBssrdfExit;
 
