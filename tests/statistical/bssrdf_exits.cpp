@@ -130,6 +130,27 @@ TEST(ExitsOnAPlane, WeighToTheAlbedoWhateverTheNormal) {
   }
 }
 
+// A plane along no axis of coordinates, so that no point of it is exactly in the plane across the normal. Of 400 000 exits the
+// farthest 1/2000, beyond the radius within which probes see everything, are there too: 200, within 4 standard deviations.
+TEST(ExitsOnAPlane, AreFoundFarAway) {
+  const double n[] = {0.48, 0.6, 0.64}, e[] = {0.8, 0, -0.6}, f[] = {-0.36, 0.8, -0.48}; // f = n x e
+  MeshData plane = quad(4000);
+  for (uint32_t v = 0; v < plane.vertex_count(); ++v) {
+    float *p = &plane.positions[3 * v];
+    const double x = double(p[0]), z = double(p[2]);
+    for (int k = 0; k < 3; ++k)
+      p[k] = float(x * e[k] + z * f[k]);
+  }
+  const SceneHandle scene = bare_scene(shared_context(), plane);
+  const TynBssrdfEntry entry = bssrdf_entry({0, 0, 0}, {float(n[0]), float(n[1]), float(n[2])});
+  const BssrdfExits found = exits_of(gaussian_model(), scene.get(), entry, COUNT, 10);
+  double far = 0; // 0.1 / 0.6 exp(-r^2 / 8) = 1 / 2000
+  for (const TynBssrdfExit &exit : found.exits)
+    far += double(exit.distance) > std::sqrt(8 * std::log(2000.0 / 6));
+  EXPECT_NEAR(far, 200, 4 * std::sqrt(200.0));
+  expect_mean(mean_of(found), ALBEDO, 1e-4 * ALBEDO);
+}
+
 // Channels of very different extent share one radius.
 TEST(ExitsOnAPlane, WeighToTheAlbedoOfEachChannel) {
   const double sigma_a[] = {0.01, 0.5, 1, 0.2}, sigma_s[] = {1, 20, 0, 0.4};
