@@ -14,6 +14,7 @@ typedef struct {
   float chance[3];        // with which a channel's radius is drawn
   float3 albedo, entered; // of weight
   float reach;
+  float cosine; // of the light that got in, outside
 } Colours;
 
 typedef struct {
@@ -22,6 +23,12 @@ typedef struct {
 } ProbeModel;
 
 #include "bssrdf_probe.clh"
+
+// Outside, of a direction inside (Snell).
+static float cosine_outside(float3 direction, float3 normal, float ior) {
+  float cosine = tyn_dot(direction, normal);
+  return sqrt(clamp(1.0f - ior * ior * (1.0f - cosine * cosine), 0.0f, 1.0f));
+}
 
 static Colours colours_of(const Families *all, global const TynWalkEntry *entry, global const TynMediumRecord *medium,
                           uint index) {
@@ -64,8 +71,9 @@ static float probe_density(const ProbeModel *model, float r) {
 
 // What leaves at distance r, of all that entered.
 static float3 colours_value(const Families *all, const Colours *colours, float r) {
-  return tyn_vec3(blend_value(all, colours->blend, r), blend_value(all, colours->blend + 1, r),
-                  blend_value(all, colours->blend + 2, r)) *
+  float cosine = colours->cosine;
+  return tyn_vec3(blend_value(all, colours->blend, r, cosine), blend_value(all, colours->blend + 1, r, cosine),
+                  blend_value(all, colours->blend + 2, r, cosine)) *
          colours->entered;
 }
 
@@ -138,7 +146,10 @@ kernel void bssrdf_walks(global const TynProfileFamily *families, global const f
     return;
   }
 
+  TynTriangleRecord record = triangles[meshes[entry->mesh].first_triangle + entry->triangle];
+  float3 normal = surface_geometric_normal(surface_corners(geometry, record));
   Colours colours = colours_of(&all, entry, media + entry->medium, entry->medium);
+  colours.cosine = cosine_outside(tyn_load3_global(entry->direction), normal, media[entry->medium].ior);
   bssrdf_tally(tallies + i, entered, colours.albedo, nothing);
   bssrdf_end(exits + i, TYN_WALK_ABSORBED, position, nothing);
   if (!(colours.reach > 0.0f))
@@ -150,8 +161,7 @@ kernel void bssrdf_walks(global const TynProfileFamily *families, global const f
   probe.blocks = blocks;
   probe.root = meshes[entry->mesh].root;
   probe.position = position;
-  TynTriangleRecord record = triangles[meshes[entry->mesh].first_triangle + entry->triangle];
-  probe.frame = tyn_frame(surface_geometric_normal(surface_corners(geometry, record)));
+  probe.frame = tyn_frame(normal);
   probe.reach = colours.reach;
   probe.path = tyn_uint2(entry->path[0], entry->path[1]);
   probe.key = tyn_uint2(seed_low, seed_high);

@@ -42,7 +42,7 @@ int body(int argc, char **argv) {
   tool::check(tyn_context_device(context.get(), &results.device), context.get());
   results.channel_names = slab::channel_names(arguments);
   tool::catch_interrupt();
-  results.models = evaluate_models(context.get(), stack.slab(), arguments, arguments.compare ? &rings : nullptr);
+  results.models = evaluate_models(kName, context.get(), stack.slab(), arguments, arguments.compare ? &rings : nullptr);
   if (arguments.compare)
     compare_with_exact(kName, context.get(), stack.slab(), arguments, rings, results);
   write_outputs(arguments, results);

@@ -9,17 +9,22 @@
 #include "bssrdf/model.hpp"
 #include "bssrdf/ring_curve.hpp"
 #include "bssrdf/single_scattering.hpp"
+#include "core/pi.hpp"
 #include "core/status.hpp"
 #include "media/phase.hpp"
 
 namespace tyn {
 namespace {
 
+constexpr double NEGLIGIBLE = 1e-3; // of what is scattered more than once, in media nearly without scattering
+
 // All but the last, which has no end.
-std::vector<Ring> rings_of(const EscapeGrid &grid, const EscapeLight &light) {
+std::vector<Ring> rings_of(const EscapeGrid &grid, const EscapeLight &light, const SingleScattering &single) {
   std::vector<Ring> rings;
   for (uint32_t i = 0; i + 1 < light.radii; ++i) {
-    Ring ring{ring_begin(grid, i), ring_end(grid, i), 0, 0};
+    Ring ring{ring_begin(grid, i), ring_end(grid, i), 0, 0, 0};
+    const double middle = 0.5 * (ring.begin + ring.end);
+    ring.beside = 2 * pi * middle * (ring.end - ring.begin) * single.exitance(middle);
     double variance = 0;
     for (uint32_t angle = 0; angle < TYN_ESCAPE_ANGLES; ++angle) {
       ring.power += light.power[i * TYN_ESCAPE_ANGLES + angle];
@@ -36,12 +41,14 @@ std::vector<Ring> rings_of(const EscapeGrid &grid, const EscapeLight &light) {
 Profile exact(const BssrdfInput &input) {
   if (input.sigma_s() == 0)
     return black_profile();
-  const double sigma_t = input.sigma_a() + input.sigma_s();
+  const double sigma_t = input.sigma_a() + input.sigma_s(), absorption = input.sigma_a() / sigma_t;
   const ExactTable &table = input.tables.table(input.top().phase, input.ior());
-  const EscapeLight light = table.light(input.sigma_a() / sigma_t);
-  const RingCurve multiple(rings_of(table.escapes.grid, light)); // in mean free paths
-  const SingleScattering single(input);
-  if (multiple.empty())
+  const EscapeLight light = table.light(absorption);
+  // in mean free paths
+  const SingleScattering single(1 - absorption, absorption, input.ior(), INFINITY, input.top().phase);
+  const RingCurve multiple(rings_of(table.escapes.grid, light, single));
+  const double once = single.half_space_albedo();
+  if (multiple.empty() && light.sum() > NEGLIGIBLE * once)
     fail(TYN_ERROR_INVALID_ARGUMENT, "exact_events is %llu, too few for a profile in channel %u",
          (unsigned long long)input.options.exact_events, input.channel);
 
@@ -49,19 +56,16 @@ Profile exact(const BssrdfInput &input) {
   const double length = 1 / (sigma_t - mean_cosine * input.sigma_s()), paths = sigma_t * length;
   std::vector<double> errors;
   auto value = [&](double x) {
-    const double scattered = multiple.value(x * paths) * paths * paths;
-    const double all = scattered + single.exitance(x * length) * length * length;
-    errors.push_back(all > 0 ? multiple.relative_error(x * paths) * scattered / all : 0);
-    return all;
+    const double r = x * paths;
+    const double scattered = multiple.empty() ? 0 : multiple.value(r), all = scattered + single.exitance(r);
+    errors.push_back(scattered > 0 ? multiple.relative_error(r) * scattered / all : 0);
+    return all * paths * paths;
   };
-  Profile profile = profile_of_table(length, value, true, multiple.falloff() * paths);
+  Profile profile = profile_of_table(length, value, true, (multiple.empty() ? 1 : multiple.falloff()) * paths);
   profile.errors = errors;
-  const double absorption = input.sigma_a() / sigma_t;
   profile.directions = TYN_DIRECTIONS_TABLE;
-  profile.more = angle_terms(table.escapes.grid, light,
-                             SingleScattering(1 - absorption, absorption, input.ior(), INFINITY, input.top().phase),
-                             input.ior(), paths);
-  scale_profile(profile, (light.sum() + single.half_space_albedo()) / profile.albedo);
+  profile.more = angle_terms(table.escapes.grid, light, single, input.ior(), paths);
+  scale_profile(profile, (light.sum() + once) / profile.albedo);
   return profile;
 }
 

@@ -9,7 +9,6 @@
 namespace tyn {
 namespace {
 
-constexpr double TOLERANCE = 1e-10;
 constexpr int DEEPEST = 12;
 
 double gauss(const std::function<double(double)> &f, double a, double b) {
@@ -20,17 +19,17 @@ double gauss(const std::function<double(double)> &f, double a, double b) {
   return sum * (b - a);
 }
 
-double refine(const std::function<double(double)> &f, double a, double b, double whole, int depth) {
+double refine(const std::function<double(double)> &f, double a, double b, double whole, int depth, double tolerance) {
   const double middle = 0.5 * (a + b), left = gauss(f, a, middle), right = gauss(f, middle, b);
-  if (depth == DEEPEST || !(std::abs(left + right - whole) > TOLERANCE * std::abs(left + right)))
+  if (depth == DEEPEST || !(std::abs(left + right - whole) > tolerance * std::abs(left + right)))
     return left + right;
-  return refine(f, a, middle, left, depth + 1) + refine(f, middle, b, right, depth + 1);
+  return refine(f, a, middle, left, depth + 1, tolerance) + refine(f, middle, b, right, depth + 1, tolerance);
 }
 
 } // namespace
 
-double integrate(const std::function<double(double)> &f, double a, double b) {
-  return refine(f, a, b, gauss(f, a, b), 0);
+double integrate(const std::function<double(double)> &f, double a, double b, double tolerance) {
+  return refine(f, a, b, gauss(f, a, b), 0, tolerance);
 }
 
 } // namespace tyn

@@ -12,8 +12,10 @@
 namespace tyn {
 namespace {
 
-constexpr double WELL_KNOWN = 0.01;  // relative error from which on a ring is a point of its own
-constexpr double KNOWN = 0.05;       // that of the last point at most
+constexpr double WELL_KNOWN = 0.01;  // relative error, of all light, from which on a ring is a point of its own ...
+constexpr double AT_LEAST = 0.1;     // ... and that of f alone
+constexpr double KNOWN = 0.05;       // what the last point is known to ...
+constexpr double BARELY = 0.3;       // ... and f alone, there
 constexpr double WIDEST = 1.3;       // ratio of the borders of rings that are joined, near the centre twice as much ...
 constexpr double WIDEST_INNER = 2.1; // ... where the curve is flat
 constexpr size_t INNER = 24;         // rings that count as near the centre
@@ -40,14 +42,16 @@ void RingCurve::join(const std::vector<Ring> &rings) {
   Ring joined{};
   for (size_t i = 0; i < rings.size(); ++i) {
     joined = {joined.end == 0 ? rings[i].begin : joined.begin, rings[i].end, joined.power + rings[i].power,
-              std::hypot(joined.error, rings[i].error)};
+              std::hypot(joined.error, rings[i].error), joined.beside + rings[i].beside};
     const double relative = joined.power > 0 ? joined.error / joined.power : INFINITY;
+    const double of_all = relative * joined.power / (joined.power + joined.beside);
     // the ring around the centre may grow as it has to
     const double widest = joined.begin == 0 ? INFINITY : i < INNER ? WIDEST_INNER : WIDEST;
     const bool wide = joined.end * joined.end > joined.begin * rings[i].begin * widest;
-    if (relative > WELL_KNOWN && !wide)
+    const bool well_known = of_all <= WELL_KNOWN && relative <= AT_LEAST;
+    if (!well_known && !wide)
       continue;
-    if (relative > KNOWN)
+    if (!well_known && (of_all > KNOWN || relative > BARELY))
       return; // the end of what is known
     points.push_back({joined.begin, joined.end, joined.power / area(joined.begin, joined.end), relative, 0, 0});
     joined = {};
@@ -110,8 +114,8 @@ void RingCurve::fit_falloff() {
 
 double RingCurve::value(double r) const {
   const double at = std::log(r);
-  if (at <= positions.front())
-    return std::exp(log_values.front());
+  if (at <= positions.front()) // not steeper than what is scattered once, which diverges like 1 / r
+    return std::exp(log_values.front() + std::clamp(slopes.front(), -1.0, 0.0) * (at - positions.front()));
   if (at >= positions.back())
     return std::exp(log_values.back() + dipole_log(rate, r) - dipole_log(rate, std::exp(positions.back())));
   const size_t i = size_t(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;

@@ -10,9 +10,10 @@ namespace tyn {
 struct Ring {
   double begin, end;   // radii
   double power, error; // int 2 pi r f(r) dr over the ring, and its standard error
+  double beside;       // power of what f will be added to, which says how well it has to be known
 };
 
-// f(r) > 0 with the powers of the rings: monotone between its points (one a ring), constant nearer than the first; beyond the
+// f(r) > 0 with the powers of the rings: monotone between its points (one a ring), a power of r nearer than the first; beyond the
 // last ring that is known well it goes on as a dipole's light does, like (1 + k r) exp(-k r) / r^3, k from what is there.
 class RingCurve {
 public:

@@ -15,6 +15,12 @@
 #include "media/phase.hpp"
 
 namespace tyn {
+namespace {
+
+constexpr double TOLERANCE = 1e-7; // more than a float tells
+constexpr double DARK = 100; // optical thickness beyond which a float has nothing left
+
+} // namespace
 
 SingleScattering::SingleScattering(const BssrdfInput &input)
     : SingleScattering(input.sigma_s(), input.sigma_a(), input.ior(), input.top().thickness, input.top().phase) {}
@@ -26,7 +32,7 @@ SingleScattering::SingleScattering(double sigma_s_, double sigma_a, double eta_,
 // Over the angle from the normal, z = r / tan(angle): z / s^3 dz = cos(angle) / r dangle. Light that is reflected totally, and
 // what would come from below the layer, is beyond the limits of the angle.
 double SingleScattering::exitance_between(double r, double least, double most) const {
-  if (sigma_s == 0)
+  if (sigma_s == 0 || sigma_t * r > DARK)
     return 0;
   const double flattest = angle_inside(least);
   const double lowest = std::isinf(thickness) ? 0 : std::atan2(r, thickness), steepest = angle_inside(most);
@@ -44,7 +50,7 @@ double SingleScattering::exitance_between(double r, double least, double most) c
     return 0;
   // F has a square root at the critical angle; a substitution takes it away
   auto smooth = [&](double t) { return part(flattest - span * t * t) * 2 * span * t; };
-  return sigma_s / r * integrate(smooth, 0, 1);
+  return sigma_s / r * integrate(smooth, 0, 1, TOLERANCE);
 }
 
 // Of light that leaves with that cosine outside (Snell).

@@ -60,7 +60,8 @@ std::vector<Node> nodes_of(const TynMediumRecord &medium, bool all) {
 }
 
 // Half-spaces of extinction 1 with these albedos.
-std::vector<Profile> profiles_of(const TynMedium &medium, const std::vector<Node> &nodes, uint32_t model) {
+PreparedBssrdf profiles_of(TynContext &context, const TynMedium &medium, const std::vector<Node> &nodes,
+                           uint32_t model) {
   std::vector<double> sigma_a, sigma_s;
   for (const Node &node : nodes) {
     sigma_a.push_back(1 - node.albedo);
@@ -78,7 +79,7 @@ std::vector<Profile> profiles_of(const TynMedium &medium, const std::vector<Node
   slab.layers = &layer;
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = model;
-  return prepare_profiles(&slab, &options);
+  return prepare_bssrdf(context, &slab, &options);
 }
 
 } // namespace
@@ -110,15 +111,16 @@ BssrdfWalks::BssrdfWalks(TynScene &owner, uint32_t model) : scene(owner) {
     const std::vector<Node> own = nodes_of(scene.medium_records[i], has_albedos(scene, i));
     records[i] = {uint32_t(all.size()), uint32_t(own.size())};
     try {
-      const std::vector<Profile> prepared = profiles_of(scene.media[i].value, own, model);
-      all.insert(all.end(), prepared.begin(), prepared.end());
+      const PreparedBssrdf prepared = profiles_of(scene.context, scene.media[i].value, own, model);
+      all.insert(all.end(), prepared.profiles.begin(), prepared.profiles.end());
     } catch (const Failure &failure) {
       fail(failure.status, "%s: %s", describe(scene, i).c_str(), failure.what());
     }
     for (const Node &node : own)
       all_nodes.push_back(float(node.s));
   }
-  profiles.reset(new TynBssrdf(scene.context, std::move(all)));
+  // the interface is the renderer's own: indices of refraction do not matter here
+  profiles.reset(new TynBssrdf(scene.context, {std::move(all), 1, 1}));
   families = upload(scene.context, records);
   nodes = upload(scene.context, all_nodes);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/models.hpp"
 
+#include "common/call_progress.hpp"
 #include "common/tool.hpp"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ bool is_needed(const Arguments &arguments, uint32_t model) {
 }
 
 // Empty if the model does not take the layers and need not.
-Bssrdf create(TynContext *context, const TynSlab &slab, const Arguments &arguments, uint32_t model) {
+Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
+              uint32_t model) {
   std::vector<double> weights, variances;
   for (size_t c = 0; c < arguments.channels(); ++c) {
     weights.insert(weights.end(), arguments.gaussian_weights.begin(), arguments.gaussian_weights.end());
@@ -45,7 +47,15 @@ Bssrdf create(TynContext *context, const TynSlab &slab, const Arguments &argumen
   options.gaussian_weights = weights.data();
   options.gaussian_variances = variances.data();
   TynBssrdf *bssrdf = nullptr;
-  const TynStatus status = tyn_bssrdf_create(context, &slab, &options, &bssrdf);
+  TynStatus status = TYN_OK;
+  {
+    tool::CallProgress progress(tool_name, arguments.quiet); // of a table that the exact model makes
+    options.progress = &tool::CallProgress::report;
+    options.user = &progress;
+    status = tyn_bssrdf_create(context, &slab, &options, &bssrdf);
+  }
+  if (status == TYN_ERROR_CANCELLED)
+    throw tool::Error(tool::kInterrupted, "interrupted while the table of the exact model was made");
   const bool wrong = status == TYN_ERROR_INVALID_ARGUMENT;
   if (wrong && !is_needed(arguments, model))
     return nullptr;
@@ -115,13 +125,13 @@ std::vector<double> means(const Quadrature &quadrature, const std::vector<double
 
 } // namespace
 
-std::vector<ModelResults> evaluate_models(TynContext *context, const TynSlab &slab, const Arguments &arguments,
-                                          const Rings *rings) {
+std::vector<ModelResults> evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab,
+                                          const Arguments &arguments, const Rings *rings) {
   const size_t channels = arguments.channels();
   const Quadrature quadrature = rings ? quadrature_of(*rings) : Quadrature();
   std::vector<ModelResults> models;
   for (const uint32_t model : arguments.models) {
-    const Bssrdf bssrdf = create(context, slab, arguments, model);
+    const Bssrdf bssrdf = create(tool_name, context, slab, arguments, model);
     if (!bssrdf)
       continue;
     ModelResults results;

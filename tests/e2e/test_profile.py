@@ -11,7 +11,7 @@ from tools import ToolTest, png_size, run
 
 MEDIUM = ("--sigma-a", 0.01, "--sigma-s", 0.99)
 HALF_SPACE_MODELS = ["standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion",
-                     "single-scattering", "quantized-diffusion", "directional-dipole"]
+                     "single-scattering", "quantized-diffusion", "directional-dipole", "exact"]
 
 
 def standard_dipole(sigma_a, sigma_s, g, ior, radius):

@@ -12,7 +12,7 @@ OPTIONS = """--sigma-a --sigma-s --g --ior --thickness --layer --medium --model 
   --error --photons --seed --json --csv --plot --device -q --quiet --version --help""".split()
 
 MODELS = ("standard-dipole", "better-dipole", "photon-beam-diffusion", "multipole", "normalized-diffusion", "gaussians",
-          "single-scattering", "quantized-diffusion", "directional-dipole")
+          "single-scattering", "quantized-diffusion", "directional-dipole", "exact")
 
 # Wrong values of options beside MEDIUM and --error; the option is named in the answer.
 WRONG = """--thickness 0, --thickness nan, --ior 0.9, --ior 4.1, --g 1, --g nan, --photons 0, --photons 1.5,
