@@ -14,7 +14,6 @@ typedef struct {
   float chance[3];        // with which a channel's radius is drawn
   float3 albedo, entered; // of weight
   float reach;
-  float cosine; // of the light that got in, outside
 } Colours;
 
 typedef struct {
@@ -31,7 +30,7 @@ static float cosine_outside(float3 direction, float3 normal, float ior) {
 }
 
 static Colours colours_of(const Families *all, global const TynWalkEntry *entry, global const TynMediumRecord *medium,
-                          uint index) {
+                          uint index, float cosine) {
   Colours colours;
   colours.reach = 0.0f;
   colours.entered = tyn_load3_global(entry->weight);
@@ -39,7 +38,7 @@ static Colours colours_of(const Families *all, global const TynWalkEntry *entry,
   for (int c = 0; c < 3; ++c) {
     float albedo = entry->albedo[0] >= 0.0f ? entry->albedo[c] : medium->albedo[c];
     float sigma_t = entry->sigma_t[0] >= 0.0f ? entry->sigma_t[c] : medium->sigma_t[c];
-    colours.blend[c] = family_blend(all, index, albedo, medium->g, sigma_t);
+    colours.blend[c] = family_blend(all, index, albedo, medium->g, sigma_t, cosine);
     colours.chance[c] = colours.blend[c].albedo * entry->weight[c];
     if (colours.chance[c] > 0.0f)
       colours.reach = fmax(colours.reach, colours.blend[c].reach);
@@ -71,9 +70,8 @@ static float probe_density(const ProbeModel *model, float r) {
 
 // What leaves at distance r, of all that entered.
 static float3 colours_value(const Families *all, const Colours *colours, float r) {
-  float cosine = colours->cosine;
-  return tyn_vec3(blend_value(all, colours->blend, r, cosine), blend_value(all, colours->blend + 1, r, cosine),
-                  blend_value(all, colours->blend + 2, r, cosine)) *
+  return tyn_vec3(blend_value(all, colours->blend, r), blend_value(all, colours->blend + 1, r),
+                  blend_value(all, colours->blend + 2, r)) *
          colours->entered;
 }
 
@@ -148,8 +146,8 @@ kernel void bssrdf_walks(global const TynProfileFamily *families, global const f
 
   TynTriangleRecord record = triangles[meshes[entry->mesh].first_triangle + entry->triangle];
   float3 normal = surface_geometric_normal(surface_corners(geometry, record));
-  Colours colours = colours_of(&all, entry, media + entry->medium, entry->medium);
-  colours.cosine = cosine_outside(tyn_load3_global(entry->direction), normal, media[entry->medium].ior);
+  float cosine = cosine_outside(tyn_load3_global(entry->direction), normal, media[entry->medium].ior);
+  Colours colours = colours_of(&all, entry, media + entry->medium, entry->medium, cosine);
   bssrdf_tally(tallies + i, entered, colours.albedo, nothing);
   bssrdf_end(exits + i, TYN_WALK_ABSORBED, position, nothing);
   if (!(colours.reach > 0.0f))

@@ -41,11 +41,14 @@
 #define TYN_DIPOLE_BACKLIT 6u    // (1 / (3 sigma_t))^2
 #define TYN_DIPOLE_TERMS 7u
 
-// A table q of where light that got in perpendicularly leaves to, over the lobe of diffuse light: rows for radii x in steps of half
-// an octave, each with a value in the middle of every eighth of the squared cosine outside; bilinear between.
+// A table q of where light that got in perpendicularly leaves to, over the lobe of diffuse light: rows for radii x in steps of
+// half an octave, each with a value in the middle of every eighth of the squared cosine outside; bilinear between.
 #define TYN_ANGLES_FIRST 0u // log2 x of the first row
 #define TYN_ANGLES_ROWS 1u
-#define TYN_ANGLES_VALUES 2u // 8 a row
+#define TYN_ANGLES_ENTRY                                                                                               \
+  2u // what comes back of light from cosines in equal steps, over what does of perpendicular light
+#define TYN_ANGLES_VALUES 19u // 8 a row
+#define TYN_ANGLES_ENTRIES 17
 #define TYN_ANGLES_ROWS_PER_OCTAVE 2
 #define TYN_ANGLES_COLUMNS 8
 

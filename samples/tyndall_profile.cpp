@@ -43,6 +43,8 @@ int body(int argc, char **argv) {
   results.channel_names = slab::channel_names(arguments);
   tool::catch_interrupt();
   results.models = evaluate_models(kName, context.get(), stack.slab(), arguments, arguments.compare ? &rings : nullptr);
+  results.interrupted = tool::interrupted();
+  arguments.compare = arguments.compare && !results.interrupted;
   if (arguments.compare)
     compare_with_exact(kName, context.get(), stack.slab(), arguments, rings, results);
   write_outputs(arguments, results);

@@ -62,7 +62,7 @@ TynProfileRecord record_of(const Profile &profile, double all_albedos, std::vect
 } // namespace tyn
 
 TynBssrdf::TynBssrdf(TynContext &context_, tyn::PreparedBssrdf prepared)
-    : context(context_), profiles(std::move(prepared.profiles)) {
+    : context(context_), profiles(std::move(prepared.profiles)), transmitted(prepared.transmitted) {
   double all_albedos = 0;
   for (const tyn::Profile &profile : profiles)
     all_albedos += profile.albedo;

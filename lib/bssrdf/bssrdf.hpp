@@ -15,6 +15,7 @@ namespace tyn {
 struct PreparedBssrdf {
   std::vector<Profile> profiles; // of each channel
   double ior, exit_ior;          // inside over outside: where light gets in and where it leaves
+  bool transmitted;              // it leaves on a slab's other side
 };
 
 // Throws INVALID_ARGUMENT, CANCELLED.
@@ -32,6 +33,7 @@ struct TynBssrdf {
 
   TynContext &context; // retained
   const std::vector<tyn::Profile> profiles;
+  const bool transmitted;
   tyn::Buffer records; // TynProfileRecord of each channel
   tyn::Buffer terms;   // float: the terms of all channels, and their chances
   float reach = 0;     // the largest of the records'

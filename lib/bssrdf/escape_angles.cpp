@@ -73,8 +73,13 @@ double interpolated(const Row &row, double column) {
 Row quotients(const Row &power, const Row &lobe, double ior) {
   Row row{};
   const double all = std::accumulate(power.begin(), power.end(), 0.0);
-  for (uint32_t i = 0; i < COLUMNS; ++i)
-    row[i] = all > 0 ? power[i] / all / lobe[i] : 1;
+  // columns beyond the critical angle, where the outside is denser, have what their lit neighbour has
+  double lit = 1;
+  for (uint32_t i = COLUMNS; i-- > 0;) {
+    if (all > 0 && lobe[i] > 0)
+      lit = power[i] / all / lobe[i];
+    row[i] = lit;
+  }
   double with = 0, without = 0;
   for (uint32_t half = 0; half < 2 * COLUMNS; ++half) {
     with += through(ior, 0.5 * half, 0.5 * (half + 1), [&](double column) { return interpolated(row, column); });
@@ -113,13 +118,16 @@ private:
 
 } // namespace
 
-std::vector<double> angle_terms(const EscapeGrid &grid, const EscapeLight &light, const SingleScattering &single,
-                                double ior, double paths) {
+std::vector<double> angle_terms(const ExactTable &table, double absorption, const EscapeLight &light,
+                                const SingleScattering &single, double ior, double paths) {
+  const EscapeGrid &grid = table.escapes.grid;
+  const std::array<double, ExactTable::COSINES> entries = table.entries_at(absorption);
   const uint32_t rows = (grid.radii - 1) / RINGS;
   const Row lobe = lobe_shares(ior);
   std::vector<double> terms(TYN_ANGLES_VALUES);
   terms[TYN_ANGLES_FIRST] = std::log2(escape_border(grid.first_radius) / paths) + 0.5 / TYN_ANGLES_ROWS_PER_OCTAVE;
   terms[TYN_ANGLES_ROWS] = rows;
+  std::copy(entries.begin(), entries.end(), terms.begin() + TYN_ANGLES_ENTRY);
   Sum sum;
   Row last{};
   last.fill(1);

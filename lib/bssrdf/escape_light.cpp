@@ -51,8 +51,13 @@ public:
       const double weight = mean_weight(log_albedo, from, to);
       add_ring_by_ring(light, shares, weight * (remaining(from) - remaining(to)), spread * std::sqrt(from * to));
     }
-    for (size_t i = 0; i < light.power.size(); ++i)
-      light.variance[i] += light.power[i] * light.power[i] * variance;
+    // the angles of a ring go together: their variances add up to that of the ring's power
+    for (uint32_t radius = 0; radius < light.radii; ++radius) {
+      const auto first = light.power.begin() + radius * TYN_ESCAPE_ANGLES;
+      const double ring = std::accumulate(first, first + TYN_ESCAPE_ANGLES, 0.0);
+      for (uint32_t angle = 0; angle < TYN_ESCAPE_ANGLES; ++angle)
+        light.variance[radius * TYN_ESCAPE_ANGLES + angle] += first[angle] * ring * variance;
+    }
   }
 
 private:

@@ -154,8 +154,9 @@ TynStatus tyn_bssrdf_profile_error(TynBssrdf *bssrdf, const float *radii, size_t
     for (uint32_t c = 0; c < bssrdf->channels(); c++) {
       const Profile &profile = bssrdf->profiles[c];
       for (size_t i = 0; i < count; i++) {
-        const double x = double(radii[i]) / profile.length, r = profile_value(profile, x);
-        errors[c * count + i] = float(profile_error(profile, x) * r / (profile.length * profile.length));
+        const double x = double(radii[i]) / profile.length, relative = profile_error(profile, x);
+        const double value = relative > 0 ? profile_value(profile, x) / (profile.length * profile.length) : 0;
+        errors[c * count + i] = float(relative * value);
       }
     }
   });

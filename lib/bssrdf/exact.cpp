@@ -16,6 +16,8 @@
 namespace tyn {
 namespace {
 
+constexpr double MOST_FORWARD =
+    0.999; // walks in more forward media have too many events to come to where light is diffuse
 constexpr double NEGLIGIBLE = 1e-3; // of what is scattered more than once, in media nearly without scattering
 
 // All but the last, which has no end.
@@ -42,10 +44,13 @@ Profile exact(const BssrdfInput &input) {
   if (input.sigma_s() == 0)
     return black_profile();
   const double sigma_t = input.sigma_a() + input.sigma_s(), absorption = input.sigma_a() / sigma_t;
+  if (phase_mean_cosine(input.top().phase) > MOST_FORWARD)
+    fail(TYN_ERROR_INVALID_ARGUMENT, "the mean cosine of the phase function is %g; the model exact takes at most %g",
+         phase_mean_cosine(input.top().phase), MOST_FORWARD);
   const ExactTable &table = input.tables.table(input.top().phase, input.ior());
   const EscapeLight light = table.light(absorption);
   // in mean free paths
-  const SingleScattering single(1 - absorption, absorption, input.ior(), INFINITY, input.top().phase);
+  const SingleScattering single(input.sigma_s() / sigma_t, absorption, input.ior(), INFINITY, input.top().phase);
   const RingCurve multiple(rings_of(table.escapes.grid, light, single));
   const double once = single.half_space_albedo();
   if (multiple.empty() && light.sum() > NEGLIGIBLE * once)
@@ -62,9 +67,11 @@ Profile exact(const BssrdfInput &input) {
     return all * paths * paths;
   };
   Profile profile = profile_of_table(length, value, true, (multiple.empty() ? 1 : multiple.falloff()) * paths);
+  if (!(profile.albedo > 0))
+    return black_profile();
   profile.errors = errors;
   profile.directions = TYN_DIRECTIONS_TABLE;
-  profile.more = angle_terms(table.escapes.grid, light, single, input.ior(), paths);
+  profile.more = angle_terms(table, absorption, light, single, input.ior(), paths);
   scale_profile(profile, (light.sum() + once) / profile.albedo);
   return profile;
 }

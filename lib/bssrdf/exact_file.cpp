@@ -10,7 +10,7 @@
 namespace tyn {
 namespace {
 
-constexpr unsigned FORMAT = 1; // also to be raised when the walks change
+constexpr unsigned FORMAT = 2; // also to be raised when the walks change
 
 // What comes before the counts of walks, which are those of the escapes' grid.
 struct Head {
@@ -18,6 +18,7 @@ struct Head {
   uint64_t left;
   double mean_cosine;
   double corrections[ExactTable::STEPS + 1];
+  double entries[ExactTable::STEPS + 1][ExactTable::COSINES];
 };
 
 template <class T>
@@ -47,13 +48,16 @@ std::string exact_key(const TynPhase &phase, double ior, uint64_t events, uint64
                 record.count, (unsigned long long)hash, ior, (unsigned long long)events, (unsigned long long)seed);
 }
 
-bool load_exact_table(const std::string &path, const std::string &key, ExactTable &table) {
+bool load_exact_table(const std::string &path, const std::string &key, const TynPhase &phase, ExactTable &table) {
+  const EscapeGrid grid = escape_grid(phase_mean_cosine(phase));
   const Binary binary = load_binary(path, key); // checks that nothing is damaged
   Head head;
   if (binary.size() < sizeof head)
     return false;
   std::memcpy(&head, binary.data(), sizeof head);
-  if (binary.size() != sizeof head + counts_of(head.grid) * sizeof(uint64_t))
+  const bool same =
+      head.grid.orders == grid.orders && head.grid.first_radius == grid.first_radius && head.grid.radii == grid.radii;
+  if (!same || binary.size() != sizeof head + counts_of(grid) * sizeof(uint64_t))
     return false;
   const unsigned char *from = binary.data() + sizeof head;
   table.escapes.grid = head.grid;
@@ -62,6 +66,7 @@ bool load_exact_table(const std::string &path, const std::string &key, ExactTabl
   table.escapes.left = head.left;
   table.mean_cosine = head.mean_cosine;
   std::memcpy(table.corrections.data(), head.corrections, sizeof head.corrections);
+  std::memcpy(table.entries.data(), head.entries, sizeof head.entries);
   return true;
 }
 
@@ -71,6 +76,7 @@ void store_exact_table(const std::string &path, const std::string &key, const Ex
   head.left = table.escapes.left;
   head.mean_cosine = table.mean_cosine;
   std::memcpy(head.corrections, table.corrections.data(), sizeof head.corrections);
+  std::memcpy(head.entries, table.entries.data(), sizeof head.entries);
   Binary binary(sizeof head + counts_of(head.grid) * sizeof(uint64_t));
   unsigned char *to = binary.data();
   put(to, &head, 1);

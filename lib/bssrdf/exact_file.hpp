@@ -13,7 +13,7 @@ namespace tyn {
 std::string exact_key(const TynPhase &phase, double ior, uint64_t events, uint64_t seed);
 
 // False if there is none.
-bool load_exact_table(const std::string &path, const std::string &key, ExactTable &table);
+bool load_exact_table(const std::string &path, const std::string &key, const TynPhase &phase, ExactTable &table);
 void store_exact_table(const std::string &path, const std::string &key, const ExactTable &table);
 
 } // namespace tyn

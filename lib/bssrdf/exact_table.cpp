@@ -14,27 +14,66 @@
 namespace tyn {
 namespace {
 
+constexpr double GRAZING = 1.0 / 64; // the least cosine, in the place of 0
+
+HalfSpace half_space(const TynPhase &phase, double ior, double absorption) {
+  return {phase, std::max(ior, 1.0), std::max(1 / ior, 1.0), absorption, 1 - absorption};
+}
+
 // By adding and doubling, with single scattering, which is in closed form, taken off.
 double multiple_albedo(const TynPhase &phase, double ior, double absorption) {
-  const double outside = std::max(1 / ior, 1.0);
-  const HalfSpace medium{phase, ior * outside, outside, absorption, 1 - absorption};
-  const SingleScattering single(medium.sigma_s, medium.sigma_a, ior, INFINITY, phase);
-  const double all = absorption > 0 ? surface_albedo(medium, false) : 1; // a white one gives back all that gets in
+  const SingleScattering single(1 - absorption, absorption, ior, INFINITY, phase);
+  const double all = absorption > 0 ? surface_albedo(half_space(phase, ior, absorption), false)
+                                    : 1; // a white one gives back all that gets in
   return all - single.half_space_albedo();
 }
+
+std::array<double, ExactTable::COSINES> entry_factors(const TynPhase &phase, double ior, double absorption) {
+  std::array<double, ExactTable::COSINES> factors;
+  factors.fill(1);
+  if (absorption == 0)
+    return factors;
+  std::vector<double> cosines;
+  for (int i = 0; i < ExactTable::COSINES; ++i)
+    cosines.push_back(std::max(double(i) / (ExactTable::COSINES - 1), GRAZING));
+  const std::vector<double> albedos = surface_albedos(half_space(phase, ior, absorption), cosines);
+  for (size_t i = 0; i < factors.size(); ++i)
+    factors[i] = albedos[i] / albedos.back();
+  return factors;
+}
+
+// Between the albedos of the table.
+struct Place {
+  size_t step;
+  double fraction;
+
+  explicit Place(double absorption) {
+    const double at = std::min(std::pow(absorption, 0.25), 1.0) * ExactTable::STEPS;
+    step = std::min(size_t(at), size_t(ExactTable::STEPS - 1));
+    fraction = at - double(step);
+  }
+  double between(double below, double above) const { return below + fraction * (above - below); }
+};
 
 } // namespace
 
 EscapeLight ExactTable::light(double absorption) const {
   EscapeLight light = light_of(escapes, mean_cosine, absorption);
-  const double place = std::min(std::pow(absorption, 0.25), 1.0) * STEPS;
-  const int i = std::min(int(place), STEPS - 1);
-  const double factor = corrections[size_t(i)] + (place - i) * (corrections[size_t(i) + 1] - corrections[size_t(i)]);
+  const Place place(absorption);
+  const double factor = place.between(corrections[place.step], corrections[place.step + 1]);
   for (size_t cell = 0; cell < light.power.size(); ++cell) {
     light.power[cell] *= factor;
     light.variance[cell] *= factor * factor;
   }
   return light;
+}
+
+std::array<double, ExactTable::COSINES> ExactTable::entries_at(double absorption) const {
+  const Place place(absorption);
+  std::array<double, COSINES> factors;
+  for (size_t i = 0; i < factors.size(); ++i)
+    factors[i] = place.between(entries[place.step][i], entries[place.step + 1][i]);
+  return factors;
 }
 
 ExactTable ExactTables::make(const TynPhase &phase, double ior) const {
@@ -45,8 +84,10 @@ ExactTable ExactTables::make(const TynPhase &phase, double ior) const {
     const double absorption = std::pow(double(i) / ExactTable::STEPS, 4);
     const double counted = light_of(table.escapes, table.mean_cosine, absorption).sum();
     table.corrections[size_t(i)] = counted > 0 ? multiple_albedo(phase, ior, absorption) / counted : 1;
+    table.entries[size_t(i)] = entry_factors(phase, ior, absorption);
   }
   table.corrections.back() = table.corrections[ExactTable::STEPS - 1];
+  table.entries.back() = table.entries[ExactTable::STEPS - 1];
   return table;
 }
 
@@ -57,7 +98,7 @@ const ExactTable &ExactTables::table(const TynPhase &phase, double ior) {
   const std::string &folder = context.cache_folder();
   const std::string path = folder.empty() ? "" : cache_path(folder, "exact", wanted);
   auto table = std::make_unique<ExactTable>();
-  if (path.empty() || !load_exact_table(path, wanted, *table)) {
+  if (path.empty() || !load_exact_table(path, wanted, phase, *table)) {
     *table = make(phase, ior);
     if (!path.empty())
       store_exact_table(path, wanted, *table);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bssrdf/escape_light.hpp"
+#include "kernels/shared_bssrdf.h"
 #include "slab/escapes.hpp"
 
 namespace tyn {
@@ -18,12 +19,17 @@ struct ExactTable {
 
   Escapes escapes;
   double mean_cosine = 0;
-  // What comes back scattered twice or more, by adding and doubling over what the walks give, at (1 - albedo)^(1/4) = i / STEPS: it
-  // takes the statistical error out of the totals.
+  // What comes back scattered twice or more, by adding and doubling over what the walks give, at albedos with
+  // (1 - albedo)^(1/4) = i / STEPS: it takes the statistical error out of the totals.
   std::array<double, STEPS + 1> corrections{};
+  // By adding and doubling too, at the same albedos: what comes back of light that arrived with a cosine of i / (COSINES - 1),
+  // over what comes back of perpendicular light.
+  static constexpr int COSINES = TYN_ANGLES_ENTRIES;
+  std::array<std::array<double, COSINES>, STEPS + 1> entries{};
 
   // That light, corrected.
   EscapeLight light(double absorption) const;
+  std::array<double, COSINES> entries_at(double absorption) const;
 };
 
 // The tables that a model's channels share.

@@ -99,6 +99,8 @@ TynStatus for_entries(TynBssrdf *bssrdf, TynScene *scene, size_t count, Body &&b
     require_pointer("scene", scene);
     if (&scene->context != &bssrdf->context)
       fail(TYN_ERROR_INVALID_ARGUMENT, "scene belongs to another context than bssrdf");
+    if (bssrdf->transmitted)
+      fail(TYN_ERROR_INVALID_ARGUMENT, "bssrdf is of light that a slab transmits, which leaves on another side");
     scene->require_committed();
     if (count > 0)
       body();

@@ -72,11 +72,7 @@ private:
   const bool transmitted;
 };
 
-} // namespace
-
-Profile multipole(const BssrdfInput &input) {
-  if (input.slab.layers.size() > 1)
-    return multipole_stack(input);
+Profile one_layer(const BssrdfInput &input) {
   const ReducedMedium medium = reduced(input.top(), input.channel);
   if (medium.albedo == 0)
     return black_profile();
@@ -85,15 +81,21 @@ Profile multipole(const BssrdfInput &input) {
   const double length = 1 / medium.sigma_t, thickness = input.top().thickness / length;
   if (!(thickness > 1))
     fail(TYN_ERROR_INVALID_ARGUMENT,
-         "layers[0].thickness is %g reduced mean free paths in channel %u; the model multipole, whose source is one "
-         "deep, "
-         "takes layers thicker than that",
+         "layers[0].thickness is %g reduced mean free paths in channel %u; the model multipole, whose source is "
+         "one deep, takes layers thicker than that",
          thickness, input.channel);
   const Images images(medium.albedo, thickness, internal_reflection_fit(input.ior()),
                       internal_reflection_fit(input.top().ior / input.slab.ior_below), input.options.transmitted != 0);
   auto value = [&](double x) { return std::max(images.exitance(x), 0.0); };
-  Profile profile = profile_of_table(length, value, false, images.slowest());
-  profile.directions = input.options.transmitted ? TYN_DIRECTIONS_THROUGH : TYN_DIRECTIONS_SEPARABLE;
+  return profile_of_table(length, value, false, images.slowest());
+}
+
+} // namespace
+
+Profile multipole(const BssrdfInput &input) {
+  Profile profile = input.slab.layers.size() > 1 ? multipole_stack(input) : one_layer(input);
+  if (input.options.transmitted)
+    profile.directions = TYN_DIRECTIONS_THROUGH;
   return profile;
 }
 

@@ -3,6 +3,7 @@
 // From a slab and options to profiles: checks, then the model's own work for each channel.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "bssrdf/bssrdf.hpp"
 #include "bssrdf/exact_table.hpp"
@@ -64,7 +65,8 @@ void require_slab(const BssrdfModel &model, const TynBssrdfOptions &options, con
 } // namespace
 
 PreparedBssrdf prepare_bssrdf(TynContext &context, const TynSlab *given_slab, const TynBssrdfOptions *given) {
-  const TynBssrdfOptions options = read_struct("TynBssrdfOptions", given, tyn_bssrdf_options());
+  const TynBssrdfOptions options =
+      read_struct("TynBssrdfOptions", given, tyn_bssrdf_options(), offsetof(TynBssrdfOptions, exact_events));
   const BssrdfModel *model = find_model(options.model);
   if (!model)
     fail(TYN_ERROR_INVALID_ARGUMENT, "model is %u; models are 0 .. %u: %s", options.model, TYN_BSSRDF_MODEL_COUNT - 1,
@@ -82,7 +84,7 @@ PreparedBssrdf prepare_bssrdf(TynContext &context, const TynSlab *given_slab, co
     fail(TYN_ERROR_INVALID_ARGUMENT, "transmitted is 1; the model %s has what comes back only", model->name);
   ExactTables tables(context, {options.exact_events, EXACT_SEED, options.progress, options.user});
   const double entry = slab.layers.front().ior / slab.ior_above, below = slab.layers.back().ior / slab.ior_below;
-  PreparedBssrdf prepared{{}, entry, options.transmitted ? below : entry};
+  PreparedBssrdf prepared{{}, entry, options.transmitted ? below : entry, options.transmitted != 0};
   for (uint32_t c = 0; c < slab.channels; c++) {
     prepared.profiles.push_back(model->prepare({slab, options, c, tables}));
     require_length(prepared.profiles.back(), c);

@@ -29,6 +29,16 @@ double gaussians_value(const Profile &p, double x) {
   return sum;
 }
 
+// Of the borders 1 .. TYN_SAMPLER_CELLS - 2 the last that is not above x, or the first.
+uint32_t border_below(double x) {
+  uint32_t k = 1, end = TYN_SAMPLER_CELLS - 1;
+  while (end - k > 1) {
+    const uint32_t middle = (k + end) / 2;
+    (sampler_border(middle) <= x ? k : end) = middle;
+  }
+  return k;
+}
+
 // The cubics of profile_table in kernels/bssrdf_profile.clh.
 double table_value(const Profile &p, double x) {
   const double first = sampler_border(1), last = sampler_border(TYN_SAMPLER_CELLS - 1);
@@ -38,11 +48,7 @@ double table_value(const Profile &p, double x) {
     const double ratio = last / x;
     return p.flux * std::exp(p.terms[2 * (p.count - 1)] - p.falloff * (x - last)) * ratio * ratio * ratio;
   }
-  uint32_t k = 1, end = TYN_SAMPLER_CELLS - 1;
-  while (end - k > 1) {
-    const uint32_t middle = (k + end) / 2;
-    (sampler_border(middle) <= x ? k : end) = middle;
-  }
+  const uint32_t k = border_below(x);
   const double *from = &p.terms[2 * (k - 1)], *to = from + 2;
   const double borders[] = {sampler_border(k), sampler_border(k + 1)};
   const double values[] = {from[0], to[0]}, slopes[] = {from[1], to[1]};
@@ -178,14 +184,7 @@ double profile_value(const Profile &p, double x) {
   }
 }
 
-double profile_error(const Profile &p, double x) {
-  if (p.errors.empty())
-    return 0;
-  uint32_t k = 0;
-  while (k + 1 < p.count && sampler_border(k + 1) < x)
-    k++;
-  return p.errors[k];
-}
+double profile_error(const Profile &p, double x) { return p.errors.empty() ? 0 : p.errors[border_below(x) - 1]; }
 
 void scale_profile(Profile &p, double factor) {
   p.flux *= factor;

@@ -13,8 +13,8 @@ struct Ring {
   double beside;       // power of what f will be added to, which says how well it has to be known
 };
 
-// f(r) > 0 with the powers of the rings: monotone between its points (one a ring), a power of r nearer than the first; beyond the
-// last ring that is known well it goes on as a dipole's light does, like (1 + k r) exp(-k r) / r^3, k from what is there.
+// f(r) > 0 with the powers of the rings: monotone between its points (one a ring), a power of r nearer than the first; beyond
+// the last ring that is known well it goes on as a dipole's light does, like (1 + k r) exp(-k r) / r^3, k from what is there.
 class RingCurve {
 public:
   // Rings from the centre outwards without gaps. Those that hold too little to be known well are joined with their neighbours.

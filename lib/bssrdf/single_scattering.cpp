@@ -18,7 +18,7 @@ namespace tyn {
 namespace {
 
 constexpr double TOLERANCE = 1e-7; // more than a float tells
-constexpr double DARK = 100; // optical thickness beyond which a float has nothing left
+constexpr double DARK = 100;       // optical thickness beyond which a float has nothing left
 
 } // namespace
 

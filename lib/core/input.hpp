@@ -10,8 +10,8 @@
 namespace tyn {
 
 // A copy of *given in today's size; members that the caller's version lacks keep those of `defaults`.
-// All structs but TynMedium, TynRenderOptions and TynRenderStats are at their first version: when one grows, give its old size
-// here.
+// All structs but TynBssrdfOptions, TynMedium, TynRenderOptions and TynRenderStats are at their first version: when one grows,
+// give its old size here.
 template <class T>
 T read_struct(const char *type, const T *given, const T &defaults, size_t first_version = sizeof(T)) {
   require_pointer(type, given);

@@ -59,8 +59,20 @@ std::vector<Node> nodes_of(const TynMediumRecord &medium, bool all) {
   return nodes;
 }
 
+// Who is told that profiles are being prepared, and may cancel.
+struct Caller {
+  TynProgress progress;
+  void *user;
+
+  // The picture has not begun.
+  static int32_t hears(void *self, double) {
+    const Caller &caller = *static_cast<Caller *>(self);
+    return caller.progress ? caller.progress(caller.user, 0.0) : 0;
+  }
+};
+
 // Half-spaces of extinction 1 with these albedos.
-PreparedBssrdf profiles_of(TynContext &context, const TynMedium &medium, const std::vector<Node> &nodes,
+PreparedBssrdf profiles_of(TynContext &context, Caller &caller, const TynMedium &medium, const std::vector<Node> &nodes,
                            uint32_t model) {
   std::vector<double> sigma_a, sigma_s;
   for (const Node &node : nodes) {
@@ -79,6 +91,8 @@ PreparedBssrdf profiles_of(TynContext &context, const TynMedium &medium, const s
   slab.layers = &layer;
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = model;
+  options.progress = &Caller::hears;
+  options.user = &caller;
   return prepare_bssrdf(context, &slab, &options);
 }
 
@@ -101,7 +115,8 @@ void require_bssrdf(const TynScene &scene, uint32_t model) {
              describe(scene, i).c_str(), c);
 }
 
-BssrdfWalks::BssrdfWalks(TynScene &owner, uint32_t model) : scene(owner) {
+BssrdfWalks::BssrdfWalks(TynScene &owner, uint32_t model, TynProgress progress, void *user) : scene(owner) {
+  Caller caller{progress, user};
   std::vector<Profile> all;
   std::vector<TynProfileFamily> records(scene.medium_records.size());
   std::vector<float> all_nodes;
@@ -111,7 +126,7 @@ BssrdfWalks::BssrdfWalks(TynScene &owner, uint32_t model) : scene(owner) {
     const std::vector<Node> own = nodes_of(scene.medium_records[i], has_albedos(scene, i));
     records[i] = {uint32_t(all.size()), uint32_t(own.size())};
     try {
-      const PreparedBssrdf prepared = profiles_of(scene.context, scene.media[i].value, own, model);
+      const PreparedBssrdf prepared = profiles_of(scene.context, caller, scene.media[i].value, own, model);
       all.insert(all.end(), prepared.profiles.begin(), prepared.profiles.end());
     } catch (const Failure &failure) {
       fail(failure.status, "%s: %s", describe(scene, i).c_str(), failure.what());
@@ -120,7 +135,7 @@ BssrdfWalks::BssrdfWalks(TynScene &owner, uint32_t model) : scene(owner) {
       all_nodes.push_back(float(node.s));
   }
   // the interface is the renderer's own: indices of refraction do not matter here
-  profiles.reset(new TynBssrdf(scene.context, {std::move(all), 1, 1}));
+  profiles.reset(new TynBssrdf(scene.context, {std::move(all), 1, 1, false}));
   families = upload(scene.context, records);
   nodes = upload(scene.context, all_nodes);
 }

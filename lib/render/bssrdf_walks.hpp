@@ -16,8 +16,9 @@ void require_bssrdf(const TynScene &scene, uint32_t model);
 
 class BssrdfWalks {
 public:
-  // Prepares a model for all media that meshes hold: some seconds where albedos come from textures. Throws.
-  BssrdfWalks(TynScene &scene, uint32_t model);
+  // Prepares a model for all media that meshes hold: some seconds where albedos come from textures, or where the exact model
+  // makes a table; meanwhile `progress`, which may be NULL, hears 0. Throws.
+  BssrdfWalks(TynScene &scene, uint32_t model, TynProgress progress, void *user);
 
   // As enqueue_walk: for `count` entries of the shade kernel. Does not wait.
   void enqueue(const TynRenderParameters &parameters, uint32_t count, cl_mem entries, cl_mem exits, cl_mem tallies);

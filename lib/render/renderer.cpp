@@ -79,6 +79,8 @@ TynRenderParameters TynRenderer::parameters() const {
 }
 
 void TynRenderer::run(const TynRenderBudget &budget) {
+  if (options.bssrdf != TYN_NONE && !bssrdf)
+    bssrdf = std::make_unique<tyn::BssrdfWalks>(scene, options.bssrdf, budget.progress, budget.user);
   const Clock::time_point start = Clock::now();
   const double seconds_before = seconds;
   const uint64_t pixels = film.pixels();
@@ -86,8 +88,6 @@ void TynRenderer::run(const TynRenderBudget &budget) {
   const uint32_t goal =
       budget.samples ? uint32_t(std::min<uint64_t>(uint64_t(first) + budget.samples, UINT32_MAX)) : UINT32_MAX;
   const uint64_t useful = std::min<uint64_t>(pixels * (goal - first), largest_pass);
-  if (options.bssrdf != TYN_NONE && !bssrdf)
-    bssrdf = std::make_unique<tyn::BssrdfWalks>(scene, options.bssrdf);
   tyn::Wavefront wavefront(scene, tables, size_t(useful), bssrdf.get());
   size_t paths = std::min<size_t>(wavefront.capacity(), 1 << 15);
   double error = 0;

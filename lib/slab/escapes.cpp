@@ -18,6 +18,7 @@ constexpr double NEAREST = 1.0 / 256; // in mean free paths
 constexpr double FARTHEST = 128;      // in reduced ones
 constexpr int STAGES = 3;             // each follows walks over 1 / 8 of the orders of the one before
 constexpr uint32_t TRIAL = 4096;      // walks that tell how many events a walk has
+constexpr double PROMPT = 2e8;        // scattering events of a launch
 constexpr uint32_t BATCH = TYN_SLAB_BATCH;
 
 uint32_t number_of(double x) {
@@ -102,13 +103,12 @@ void walk_stage(Stage &stage, uint64_t events, uint32_t at_once, const Watch &wa
   stage.walk(TRIAL);
   const double each = double(std::max<uint64_t>(stage.events, 1)) / TRIAL;
   const auto wanted = uint64_t(std::max(double(events) / each, double(TRIAL)));
+  const auto prompt = uint64_t(std::max(PROMPT / each, 1.0)); // so that a caller need not wait long to cancel
   while (stage.walked < wanted) {
-    stage.walk(uint32_t(std::min<uint64_t>({wanted - stage.walked, stage.most_at_once(), at_once})));
+    stage.walk(uint32_t(std::min<uint64_t>({wanted - stage.walked, stage.most_at_once(), at_once, prompt})));
     watch.report(double(stage.walked) / double(wanted));
   }
 }
-
-int octaves_of(double g) { return int(std::ceil(std::log2(FEWEST_ORDERS / std::min(1 - g, 1.0)))); }
 
 } // namespace
 
@@ -116,13 +116,19 @@ double escape_border(uint32_t number) {
   return std::ldexp(double(PER_OCTAVE + number % PER_OCTAVE), int(number / PER_OCTAVE) - 127 - 3);
 }
 
+EscapeGrid escape_grid(double mean_cosine) {
+  const double path = 1 / std::min(1 - mean_cosine, 1.0); // reduced, in mean free paths
+  EscapeGrid grid;
+  grid.orders = uint32_t(std::ceil(std::log2(FEWEST_ORDERS * path))) * PER_OCTAVE;
+  grid.first_radius = number_of(NEAREST);
+  grid.radii = number_of(FARTHEST * path) - grid.first_radius + 1;
+  return grid;
+}
+
 Escapes count_escapes(TynContext &context, const TynPhase &phase, double ior, const EscapeOptions &options) {
-  const double g = std::min(phase_mean_cosine(phase), 0.9999);
-  const int octaves = octaves_of(g);
   Escapes all;
-  all.grid.orders = uint32_t(octaves * PER_OCTAVE);
-  all.grid.first_radius = number_of(NEAREST);
-  all.grid.radii = number_of(FARTHEST / std::min(1 - g, 1.0)) - all.grid.first_radius + 1;
+  all.grid = escape_grid(phase_mean_cosine(phase));
+  const int octaves = int(all.grid.orders) / PER_OCTAVE;
   all.walks.resize(all.grid.orders);
   all.counts.resize(all.grid.cells());
   const Slab slab = white_half_space(phase, ior);

@@ -25,6 +25,9 @@ struct Escapes {
 // The least scattering order, or the lower border of the radii, that has a number.
 double escape_border(uint32_t number);
 
+// For a phase function's mean cosine, below 1.
+EscapeGrid escape_grid(double mean_cosine);
+
 struct EscapeOptions {
   uint64_t events = 0; // about how many scattering events to walk
   uint64_t seed = 0;

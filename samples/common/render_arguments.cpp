@@ -9,6 +9,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace tool {
 namespace {
@@ -91,8 +92,6 @@ void check_number(const char *option, double value, double lowest, const char *a
 
 // A model by name; all but the one whose profile a medium does not give.
 uint32_t parse_bssrdf(const std::string &name) {
-  if (name.empty())
-    return TYN_NONE;
   const uint32_t model = tyn_bssrdf_find_model(name.c_str());
   if (model != TYN_BSSRDF_MODEL_COUNT && model != TYN_BSSRDF_GAUSSIANS)
     return model;
@@ -108,7 +107,7 @@ struct RawArguments {
   std::string environment;
   std::vector<std::string> media;
   std::string exit = "diffuse";
-  std::string bssrdf;
+  std::optional<std::string> bssrdf;
   std::string tone = "srgb";
   uint32_t max_bounces = tyn_render_options().max_bounces;
 };
@@ -188,7 +187,7 @@ void finish_arguments(const RawArguments &raw, RenderArguments &arguments) {
   arguments.media = parse_media(raw.media);
   arguments.max_bounces = raw.max_bounces;
   arguments.exit = raw.exit == "dielectric" ? TYN_EXIT_DIELECTRIC : TYN_EXIT_DIFFUSE;
-  arguments.bssrdf = parse_bssrdf(raw.bssrdf);
+  arguments.bssrdf = raw.bssrdf ? parse_bssrdf(*raw.bssrdf) : uint32_t(TYN_NONE);
   if (arguments.bssrdf != TYN_NONE && arguments.exit == TYN_EXIT_DIELECTRIC)
     throw Error(kUsage, "--bssrdf and --exit dielectric: a model gives no direction for light to leave along");
   arguments.tone = raw.tone == "aces" ? TYN_TONE_ACES : TYN_TONE_SRGB;

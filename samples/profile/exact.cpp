@@ -46,9 +46,10 @@ Curve pool(const slab::Curve &bins, const Rings &rings, double in) {
   return curve;
 }
 
-TynEstimate deviation(double model, const TynEstimate &exact) {
+// `error`: the model's own.
+TynEstimate deviation(double model, double error, const TynEstimate &exact) {
   const double ratio = model / exact.value;
-  return {ratio - 1.0, ratio * exact.standard_error / exact.value};
+  return {ratio - 1.0, std::hypot(ratio * exact.standard_error, error) / exact.value};
 }
 
 void add_deviations(const ExactResults &exact, ModelResults &model) {
@@ -56,12 +57,13 @@ void add_deviations(const ExactResults &exact, ModelResults &model) {
     const Curve &rings = exact.profile[c];
     Curve curve;
     for (size_t i = 0; i < rings.values.size(); ++i) {
-      const TynEstimate relative = deviation(model.ring_means[c][i], {rings.values[i], rings.errors[i]});
+      const TynEstimate relative =
+          deviation(model.ring_means[c].values[i], model.ring_means[c].errors[i], {rings.values[i], rings.errors[i]});
       curve.values.push_back(relative.value);
       curve.errors.push_back(relative.standard_error);
     }
     model.deviation.push_back(curve);
-    model.albedo_deviation.push_back(deviation(model.albedo[c], exact.albedo[c]));
+    model.albedo_deviation.push_back(deviation(model.albedo[c], 0.0, exact.albedo[c]));
   }
 }
 

@@ -52,7 +52,7 @@ Json medium(const Arguments &arguments, const Results &results) {
 }
 
 Json model(const Arguments &arguments, const Results &results, const ModelResults &model) {
-  Json object = {{"profile", model.profile}, {"albedo", model.albedo}};
+  Json object = {{"profile", model.profile}, {"standard_error", model.errors}, {"albedo", model.albedo}};
   if (!arguments.compare)
     return object;
   Json error = {{"radii", results.exact.edges}};

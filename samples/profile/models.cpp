@@ -31,7 +31,7 @@ bool is_needed(const Arguments &arguments, uint32_t model) {
          (arguments.layers.size() > 1 && model == TYN_BSSRDF_MULTIPOLE);
 }
 
-// Empty if the model does not take the layers and need not.
+// Empty if the model does not take the layers and need not, or if Ctrl-C came.
 Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
               uint32_t model) {
   std::vector<double> weights, variances;
@@ -55,7 +55,7 @@ Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, c
     status = tyn_bssrdf_create(context, &slab, &options, &bssrdf);
   }
   if (status == TYN_ERROR_CANCELLED)
-    throw tool::Error(tool::kInterrupted, "interrupted while the table of the exact model was made");
+    return nullptr;
   const bool wrong = status == TYN_ERROR_INVALID_ARGUMENT;
   if (wrong && !is_needed(arguments, model))
     return nullptr;
@@ -66,12 +66,14 @@ Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, c
   return Bssrdf(bssrdf);
 }
 
-// [channel][radius]
-std::vector<std::vector<double>> profile_at(TynContext *context, TynBssrdf *bssrdf, const std::vector<double> &radii,
-                                            size_t channels) {
+using Evaluation = decltype(&tyn_bssrdf_profile);
+
+// What `evaluate` gives: [channel][radius].
+std::vector<std::vector<double>> evaluate_at(Evaluation evaluate, TynContext *context, TynBssrdf *bssrdf,
+                                             const std::vector<double> &radii, size_t channels) {
   const std::vector<float> rounded(radii.begin(), radii.end());
   std::vector<float> values(channels * radii.size());
-  tool::check(tyn_bssrdf_profile(bssrdf, rounded.data(), rounded.size(), values.data()), context);
+  tool::check(evaluate(bssrdf, rounded.data(), rounded.size(), values.data()), context);
   std::vector<std::vector<double>> result;
   for (size_t c = 0; c < channels; ++c)
     result.emplace_back(values.begin() + c * radii.size(), values.begin() + (c + 1) * radii.size());
@@ -123,26 +125,35 @@ std::vector<double> means(const Quadrature &quadrature, const std::vector<double
   return result;
 }
 
+ModelResults evaluate(TynContext *context, TynBssrdf *bssrdf, const Arguments &arguments,
+                      const Quadrature &quadrature) {
+  const size_t channels = arguments.channels();
+  ModelResults results;
+  results.profile = evaluate_at(tyn_bssrdf_profile, context, bssrdf, arguments.radii, channels);
+  results.errors = evaluate_at(tyn_bssrdf_profile_error, context, bssrdf, arguments.radii, channels);
+  results.albedo.resize(channels);
+  tool::check(tyn_bssrdf_albedo(bssrdf, results.albedo.data(), channels), context);
+  if (quadrature.radii.empty())
+    return results;
+  const auto values = evaluate_at(tyn_bssrdf_profile, context, bssrdf, quadrature.radii, channels);
+  const auto errors = evaluate_at(tyn_bssrdf_profile_error, context, bssrdf, quadrature.radii, channels);
+  for (size_t c = 0; c < channels; ++c) // a table's errors at neighbouring radii go together
+    results.ring_means.push_back({means(quadrature, values[c]), means(quadrature, errors[c])});
+  return results;
+}
+
 } // namespace
 
 std::vector<ModelResults> evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab,
                                           const Arguments &arguments, const Rings *rings) {
-  const size_t channels = arguments.channels();
   const Quadrature quadrature = rings ? quadrature_of(*rings) : Quadrature();
   std::vector<ModelResults> models;
   for (const uint32_t model : arguments.models) {
     const Bssrdf bssrdf = create(tool_name, context, slab, arguments, model);
     if (!bssrdf)
       continue;
-    ModelResults results;
-    results.name = tyn_bssrdf_model_name(model);
-    results.profile = profile_at(context, bssrdf.get(), arguments.radii, channels);
-    results.albedo.resize(channels);
-    tool::check(tyn_bssrdf_albedo(bssrdf.get(), results.albedo.data(), channels), context);
-    if (rings)
-      for (const std::vector<double> &values : profile_at(context, bssrdf.get(), quadrature.radii, channels))
-        results.ring_means.push_back(means(quadrature, values));
-    models.push_back(results);
+    models.push_back(evaluate(context, bssrdf.get(), arguments, quadrature));
+    models.back().name = tyn_bssrdf_model_name(model);
   }
   return models;
 }

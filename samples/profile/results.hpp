@@ -17,11 +17,12 @@ struct Curve {
 struct ModelResults {
   std::string name;
   std::vector<std::vector<double>> profile; // [channel][radius]
+  std::vector<std::vector<double>> errors;  // [channel][radius], standard ones of `profile`; empty: none
   std::vector<double> albedo;               // [channel]
   // with --error:
-  std::vector<std::vector<double>> ring_means; // [channel][ring]
-  std::vector<Curve> deviation;                // [channel], model / exact - 1
-  std::vector<TynEstimate> albedo_deviation;   // [channel]
+  std::vector<Curve> ring_means;             // [channel]
+  std::vector<Curve> deviation;              // [channel], model / exact - 1
+  std::vector<TynEstimate> albedo_deviation; // [channel]
 };
 
 struct ExactResults {

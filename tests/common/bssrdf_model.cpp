@@ -11,11 +11,6 @@
 #include "slab/gauss.hpp"
 
 namespace tyn_test {
-namespace {
-
-constexpr uint64_t FEW_EVENTS = 20000000; // of an exact table, where its precision does not matter
-
-} // namespace
 
 BssrdfModel::BssrdfModel(const TynSlab &slab, const TynBssrdfOptions &options, TynContext *context)
     : channel_count(slab.channel_count) {

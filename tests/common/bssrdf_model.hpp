@@ -17,6 +17,8 @@ struct ReleaseBssrdf {
   void operator()(TynBssrdf *bssrdf) const { tyn_bssrdf_release(bssrdf); }
 };
 
+constexpr uint64_t FEW_EVENTS = 20000000; // of an exact table, where its precision does not matter
+
 struct BssrdfSamples {
   std::vector<float> radii, pdf, weights; // weights: channel by channel
 };

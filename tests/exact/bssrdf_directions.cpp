@@ -31,6 +31,7 @@ double transmittance(double cosine, double ior) {
 BssrdfModel model_between(const NamedModel &named, double albedo, double ior, double above) {
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = named.model;
+  options.exact_events = FEW_EVENTS;
   options.fit = named.fit;
   const double weights[] = {0.2, 0.3, 0.1}, variances[] = {0.01, 0.2, 4};
   options.gaussian_count = 3;
@@ -86,6 +87,8 @@ TEST_P(DirectionsOf, AddUpToTheProfile) {
 
 // A product of what gets in and what gets out, at any angle, between any media that the model takes.
 TEST_P(DirectionsOf, AreFresnels) {
+  if (GetParam().model == TYN_BSSRDF_EXACT)
+    return; // which has a table of angles besides
   for (double above : {1.0, 1.8}) {
     if (above > 1 && GetParam().model != TYN_BSSRDF_GAUSSIANS)
       continue; // which take no medium of a lower index than outside
@@ -183,11 +186,13 @@ TEST(DirectionsOfGaussians, AreNoneBeyondTheCriticalAngle) {
 }
 
 // What leaves below a slab goes through that boundary, and its distance is counted across the slab.
-TEST(DirectionsThroughSlabs, AddUpToTheProfileBelow) {
+class DirectionsThroughSlabs : public testing::TestWithParam<std::vector<ExactLayer>> {};
+
+TEST_P(DirectionsThroughSlabs, AddUpToTheProfileBelow) {
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = TYN_BSSRDF_MULTIPOLE;
   options.transmitted = 1;
-  ExactSlab slab({{0.1, 0.9, 0, 1.5, 3}}, 1, 1.3);
+  ExactSlab slab(GetParam(), 1, 1.3);
   const BssrdfModel model(slab.view(), options);
   for (double r : {0.01, 1.0, 5.0})
     for (double angle : {0.0, 1.2}) {
@@ -197,6 +202,24 @@ TEST(DirectionsThroughSlabs, AddUpToTheProfileBelow) {
       const double expected = transmittance(std::cos(angle), 1.5) * double(model.profile({float(r)})[0]);
       EXPECT_NEAR(exitance(model, path, 1.5 / 1.3), expected, 3e-5 * expected) << r << " " << angle;
     }
+}
+
+const std::vector<ExactLayer> one_layer = {{0.1, 0.9, 0, 1.5, 3}};
+const std::vector<ExactLayer> two_layers = {{0.1, 0.9, 0, 1.5, 1.6}, {0.02, 1.2, 0, 1.5, 1.4}};
+INSTANTIATE_TEST_SUITE_P(Of, DirectionsThroughSlabs, testing::Values(one_layer, two_layers));
+
+// Where the outside is denser there is no light beyond the critical angle, and the rest adds up.
+TEST(DirectionsOfExact, AreThoseOfDenserSurroundings) {
+  const NamedModel exact{"exact", TYN_BSSRDF_EXACT, TYN_NORMALIZED_SEARCHLIGHT};
+  for (double above : {1.05, 1.33, 1.51}) {
+    const BssrdfModel model = model_between(exact, 0.9, 1, above);
+    const double critical = std::asin(1 / above);
+    for (double r : {0.01, 0.3, 4.0}) {
+      const double expected = transmittance(1, 1 / above) * double(model.profile({float(r)})[0]);
+      EXPECT_NEAR(exitance(model, plane_path(r), 1 / above), expected, 3e-3 * expected) << above << " " << r;
+    }
+    EXPECT_EQ(model.evaluate({plane_path(0.3, 1.01 * critical)})[0], 0);
+  }
 }
 
 } // namespace

@@ -43,4 +43,32 @@ TEST(ExactBssrdf, FallsAsADipoleDoesInAWhiteMedium) {
     EXPECT_NEAR(double(profile[i - 1]) / double(profile[i]), 8, 0.05) << radii[i];
 }
 
+// Next to no scattering, down to what rounding swallows: single scattering is all there is.
+TEST(ExactBssrdf, IsSingleScatteringInBlackMedia) {
+  for (double sigma_s : {1e-3, 1e-8, 1e-14, 1e-17, 1e-30}) {
+    ExactSlab slab({{1, sigma_s, 0, 1.4, INFINITY}});
+    TynBssrdfOptions options = tyn_bssrdf_options();
+    options.model = TYN_BSSRDF_SINGLE_SCATTERING;
+    const BssrdfModel single(slab.view(), options);
+    options.model = TYN_BSSRDF_EXACT;
+    options.exact_events = FEW_EVENTS;
+    const BssrdfModel exact(slab.view(), options);
+    EXPECT_NEAR(exact.albedo()[0], single.albedo()[0], 2e-3 * single.albedo()[0]) << sigma_s;
+    for (float r : {0.01f, 0.3f})
+      EXPECT_NEAR(double(exact.profile({r})[0]), double(single.profile({r})[0]), 5e-3 * double(single.profile({r})[0]));
+  }
+}
+
+// All pairs of indices are taken, whatever their quotients round to.
+TEST(ExactBssrdf, TakesEveryPairOfIndices) {
+  for (int i = 0; i < 12; ++i) {
+    const double above = 1.27 + 0.0103 * i * i;
+    ExactSlab slab({{0.1, 0.9, 0, 1, INFINITY}}, above);
+    TynBssrdfOptions options = tyn_bssrdf_options();
+    options.model = TYN_BSSRDF_EXACT;
+    options.exact_events = 1000000;
+    EXPECT_GT(BssrdfModel(slab.view(), options).albedo()[0], 0) << above;
+  }
+}
+
 } // namespace

@@ -34,6 +34,7 @@ TEST_P(PathsOf, DependNeitherOnLanesNorOnBatches) {
     ExactSlab slab({{0.1, 0.9, 0, 1.4, INFINITY}});
     TynBssrdfOptions options = tyn_bssrdf_options();
     options.model = GetParam().model;
+    options.exact_events = FEW_EVENTS;
     options.fit = GetParam().fit;
     const BssrdfModel other(slab.view(), options, context.get());
     EXPECT_TRUE(same(other.evaluate(paths).data(), values.data(), values.size())) << lanes;

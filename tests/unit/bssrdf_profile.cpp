@@ -58,6 +58,7 @@ TEST_P(ProfileOf, DependsNeitherOnLanesNorOnBatches) {
     TynBssrdfOptions options = tyn_bssrdf_options();
     options.model = GetParam().model;
     options.fit = GetParam().fit;
+    options.exact_events = FEW_EVENTS;
     const double weights[] = {0.2, 0.3, 0.1}, variances[] = {0.01, 0.2, 4};
     options.gaussian_count = 3;
     options.gaussian_weights = weights;

@@ -150,7 +150,7 @@ enum {
   TYN_BSSRDF_GAUSSIANS = 5,             /* the caller's */
   TYN_BSSRDF_SINGLE_SCATTERING = 6,     /* Hanrahan & Krueger 1993; the top layer's alone */
   TYN_BSSRDF_QUANTIZED_DIFFUSION = 7,   /* d'Eon & Irving 2011; without single scattering */
-  TYN_BSSRDF_DIRECTIONAL_DIPOLE = 8, /* Frisvad, Hachisuka, Kjeldsen 2014; without their separate single scattering */
+  TYN_BSSRDF_DIRECTIONAL_DIPOLE = 8,    /* Frisvad, Hachisuka, Kjeldsen 2014; without single scattering */
   TYN_BSSRDF_EXACT = 9,                 /* tables of the slab engine's walks */
   TYN_BSSRDF_MODEL_COUNT = 10
 };
