@@ -20,6 +20,9 @@ constexpr double WIDEST = 1.3;       // ratio of the borders of rings that are j
 constexpr double WIDEST_INNER = 2.1; // ... where the curve is flat
 constexpr size_t INNER = 24;         // rings that count as near the centre
 constexpr int MATCHES = 4;
+// Of the mean at the centre: fainter rings, which only the orders that were not counted reach, end where these were cut off
+// (albedo^n < 1e-13, at about 1e-26) and, farther out, where doubles do.
+constexpr double FAINTEST = 1e-20;
 
 double area(double begin, double end) { return pi * (end - begin) * (end + begin); }
 
@@ -53,7 +56,10 @@ void RingCurve::join(const std::vector<Ring> &rings) {
       continue;
     if (!well_known && (of_all > KNOWN || relative > BARELY))
       return; // the end of what is known
-    points.push_back({joined.begin, joined.end, joined.power / area(joined.begin, joined.end), relative, 0, 0});
+    const double mean = joined.power / area(joined.begin, joined.end);
+    if (!points.empty() && mean < FAINTEST * points.front().mean)
+      return;
+    points.push_back({joined.begin, joined.end, mean, relative, 0, 0});
     joined = {};
   }
 }

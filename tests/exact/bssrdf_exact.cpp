@@ -24,6 +24,31 @@ TEST(ExactBssrdf, HasTheAlbedosOfChandrasekhar) {
   }
 }
 
+// The same of many albedos: each has other rings that are known well, and the faintest of them must not spoil a profile.
+TEST(ExactBssrdf, HasAnAlbedoWhateverTheMedium) {
+  const size_t channels = 80;
+  std::vector<double> sigma_a, sigma_s(channels, 0.95);
+  for (size_t i = 0; i < channels; ++i)
+    sigma_a.push_back(1e-4 * std::pow(1.1, double(i))); // to 0.19
+  TynSlabLayer layer = tyn_slab_layer();
+  layer.sigma_a = sigma_a.data();
+  layer.sigma_s = sigma_s.data();
+  TynSlab slab = tyn_slab();
+  slab.channel_count = uint32_t(channels);
+  slab.layer_count = 1;
+  slab.layers = &layer;
+  TynBssrdfOptions options = tyn_bssrdf_options();
+  options.model = TYN_BSSRDF_EXACT;
+  const std::vector<double> albedos = BssrdfModel(slab, options).albedo();
+  for (size_t i = 0; i < channels; ++i) {
+    const double albedo = sigma_s[i] / (sigma_a[i] + sigma_s[i]), one = 1;
+    double h = 0;
+    ASSERT_EQ(tyn_chandrasekhar_h(albedo, &one, 1, &h), TYN_OK);
+    const double expected = 1 - h * std::sqrt(1 - albedo);
+    EXPECT_NEAR(albedos[i], expected, 1e-4 * expected) << "sigma_a " << sigma_a[i];
+  }
+}
+
 // Nothing but single scattering is left in a dark medium, and near the beam: sigma_s p(-1) / r at the centre (Hanrahan & Krueger
 // 1993 for one order).
 TEST(ExactBssrdf, IsSingleScatteringNearTheBeam) {
