@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Tyndall authors
 # SPDX-License-Identifier: Apache-2.0
-"""docs/make_bssrdf_page.py: it still runs, what it writes is all there, and the exact model is exact; and no model is missing in
-the page that was made with it."""
+"""docs/make_bssrdf_page.py: it still runs, what it writes is all there, and the exact model is exact; and no model is missing
+in the page that was made with it."""
 import math
 import os
 import re
