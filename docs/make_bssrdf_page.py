@@ -333,7 +333,7 @@ What all half-spaces are compared with, R in 1/length^2, with relative standard 
         errors = in_standard_errors(self.rows("exact"))
         beyond = sum(abs(error) > 2 for error in errors)
         return (f"Of these {len(errors)} deviations {beyond} are beyond 2 standard errors (of independent ones 1 in 22 by "
-                f"chance; those of one\ng and ior come from the same table), the largest is {max(map(abs, errors)):.1f}.")
+                f"chance; those of one\ng and ior are related), the largest is {max(map(abs, errors)):.1f}.")
 
     def multipole_tables(self):
         titles = {
