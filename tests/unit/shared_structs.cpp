@@ -313,7 +313,7 @@ TEST(SharedStructs, HaveTheSizesThatTheirCommentsState) {
   EXPECT_EQ(sizeof(TynWalkEntry), 96u);
   EXPECT_EQ(sizeof(TynWalkExit), 96u);
   EXPECT_EQ(sizeof(TynBssrdfPath), 72u);
-  EXPECT_EQ(sizeof(TynProfileRecord), 68u);
+  EXPECT_EQ(sizeof(TynProfileRecord), 72u);
   EXPECT_EQ(sizeof(TynBvhNode), 224u);
   EXPECT_EQ(sizeof(TynTriangleBlock), 160u);
   EXPECT_EQ(sizeof(TynTriangleRecord), 24u);
