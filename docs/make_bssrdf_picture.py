@@ -5,9 +5,9 @@
 
   docs/make_bssrdf_picture.py BIN_DIR [--spp N] [--output FILE] [--keep FOLDER]
 
-BIN_DIR holds tyndall-render and tyndall-demo-scene. Needs Pillow (python3-pil). Some thirteen minutes on two cores. The seconds on a
-tile are processor time, which other programs on the machine do not change much, of all samples but the first, and so without
-loading and without preparing profiles and tables. tyndall-render's own figures go to standard error.
+BIN_DIR holds tyndall-render and tyndall-demo-scene. Needs Pillow (python3-pil). Some thirteen minutes on two cores. The
+seconds on a tile are processor time, which other programs on the machine do not change much, of all samples but the first,
+and so without loading and without preparing profiles and tables. tyndall-render's own figures go to standard error.
 """
 import argparse
 import json
