@@ -161,7 +161,8 @@ void add_quality_options(CLI::App &app, RenderArguments &arguments, RawArguments
                  "noise) (diffuse)")
       ->type_name("MODEL")
       ->check(CLI::IsMember({"diffuse", "dielectric"}));
-  app.add_option("--bssrdf", raw.bssrdf, "a model in place of walks, fast and approximate; any\nother word lists them")
+  app.add_option("--bssrdf", raw.bssrdf,
+                 "a model in place of walks, approximate, for flat\nsurfaces; any other word lists them")
       ->type_name("MODEL");
 }
 

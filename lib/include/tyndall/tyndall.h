@@ -493,14 +493,15 @@ typedef struct TynRenderOptions {
 } TynRenderOptions;
 
 /* With a BSSRDF model, light that enters a medium leaves where tyn_bssrdf_sample_exits would draw it, by the profile of the
- * medium as a half-space, its boundary and phase function included, and goes on by the diffuse lobe. Fast and approximate:
- * for dense media and surfaces that are flat over a few mean free paths. An albedo of the entry point's own
- * (multiscatter_color) counts: profiles are prepared for a range of albedos by the first tyn_renderer_run, in up to some
- * seconds a medium (EXACT makes tables; they count in neither its seconds nor those of its budget, and its progress hears 0
- * meanwhile), and blended. EXACT has the right totals from every side, with the profile of perpendicular light.
- * TYN_EXIT_DIELECTRIC, the model GAUSSIANS, and a mesh's medium with a channel without extinction are INVALID_ARGUMENT. The
- * ledger: absorbed is what the model keeps of light on a plane (negative where a model's albedo exceeds 1), balance the
- * difference to what was found; light that comes from inside a mesh, through a hole, is leaked. */
+ * medium as a half-space, its boundary and phase function included, and goes on by the diffuse lobe. An approximation, for
+ * surfaces that are flat over a few mean free paths; with less noise a sample than walks, and on CPUs not faster than they
+ * are. An albedo of the entry point's own (multiscatter_color) counts: profiles are prepared for a range of albedos by the
+ * first tyn_renderer_run, in up to some seconds a medium (EXACT makes tables; they count in neither its seconds nor those
+ * of its budget, and its progress hears 0 meanwhile), and blended. EXACT has the right totals from every side, with the
+ * profile of perpendicular light. TYN_EXIT_DIELECTRIC, the model GAUSSIANS, and a mesh's medium with a channel without
+ * extinction are INVALID_ARGUMENT. The ledger: absorbed is what the model keeps of light on a plane (negative where a
+ * model's albedo exceeds 1), balance the difference to what was found; light that comes from inside a mesh, through a hole,
+ * is leaked. */
 static inline TynRenderOptions tyn_render_options(void) {
   TynRenderOptions options;
   memset(&options, 0, sizeof options);
