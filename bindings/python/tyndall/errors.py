@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+"""What goes wrong, as exceptions: TyndallError and a kind for each status of the C API."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import capi
+
+
+class TyndallError(Exception):
+    """A call failed; the message says what was wrong, with which value, and what is allowed."""
+
+
+class InvalidArgumentError(TyndallError, ValueError):
+    """A parameter is outside its documented range."""
+
+
+class InvalidOperationError(TyndallError):
+    """The object is in the wrong state, such as a scene that is not committed."""
+
+
+class ClosedError(InvalidOperationError):
+    """The object, or the context that it was made from, was closed."""
+
+
+class OutOfMemoryError(TyndallError, MemoryError):
+    """Host or device memory, or the context's memory_limit, does not suffice."""
+
+
+class NoDeviceError(TyndallError):
+    """There is no OpenCL device, or none that matches."""
+
+
+class KernelBuildError(TyndallError):
+    """A kernel did not compile; the message holds the build log."""
+
+
+class DeviceError(TyndallError):
+    """An OpenCL call failed; the message names it and its code."""
+
+
+class CancelledError(TyndallError):
+    """The progress callback asked for it. `result`: what was done so far, as the call would have returned it, or None."""
+
+    result: Any = None
+
+
+class FileError(TyndallError, OSError):
+    """A file could not be opened, read or written."""
+
+
+class FormatError(TyndallError, ValueError):
+    """A file's contents are wrong."""
+
+
+class InternalError(TyndallError):
+    """A defect of the library."""
+
+
+class TyndallWarning(UserWarning):
+    """Something in a file was ignored, repaired or is doubtful."""
+
+
+_KINDS: dict[int, type[TyndallError]] = {
+    capi.TYN_ERROR_INVALID_ARGUMENT: InvalidArgumentError,
+    capi.TYN_ERROR_INVALID_OPERATION: InvalidOperationError,
+    capi.TYN_ERROR_OUT_OF_MEMORY: OutOfMemoryError,
+    capi.TYN_ERROR_NO_DEVICE: NoDeviceError,
+    capi.TYN_ERROR_KERNEL_BUILD: KernelBuildError,
+    capi.TYN_ERROR_DEVICE: DeviceError,
+    capi.TYN_ERROR_CANCELLED: CancelledError,
+    capi.TYN_ERROR_FILE: FileError,
+    capi.TYN_ERROR_FORMAT: FormatError,
+    capi.TYN_ERROR_INTERNAL: InternalError,
+}
+
+
+def error_of(status: int, message: str) -> TyndallError:
+    """The exception of a status other than TYN_OK; without a message it says the status."""
+    return _KINDS.get(status, InternalError)(message or capi.lib.tyn_status_string(status).decode())
