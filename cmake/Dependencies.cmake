@@ -33,9 +33,10 @@ endif()
 
 if(TYN_BUILD_SAMPLES)
   find_package(CLI11 CONFIG REQUIRED)
-  # Cairo draws plots; without it the tools do everything else.
+  # Cairo draws plots; without it the tools do everything else. A wheel, which would have to bring it along with its fonts
+  # and X11, has matplotlib for them.
   find_package(PkgConfig QUIET)
-  if(PkgConfig_FOUND)
+  if(PkgConfig_FOUND AND NOT TYN_BUILD_PYTHON)
     pkg_check_modules(Cairo QUIET IMPORTED_TARGET cairo>=1.14)
   endif()
 endif()

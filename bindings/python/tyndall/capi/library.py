@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from . import tyndall, tyndall_base, tyndall_bssrdf, tyndall_cl, tyndall_exact, tyndall_io, tyndall_phase, tyndall_slab
+from . import driver, tyndall, tyndall_base, tyndall_bssrdf, tyndall_cl, tyndall_exact, tyndall_io, tyndall_phase, tyndall_slab
 from .record import Signatures
 
 _HEADERS = (tyndall_base, tyndall_phase, tyndall_slab, tyndall_exact, tyndall_bssrdf, tyndall, tyndall_cl)
@@ -40,10 +40,14 @@ def _open(path: str) -> ctypes.CDLL:
     try:
         return ctypes.CDLL(path)
     except OSError as error:
-        hint = ""
-        if "libOpenCL" in str(error):
-            hint = " (the OpenCL loader: Debian and Ubuntu have it as ocl-icd-libopencl1)"
-        raise ImportError(f"the Tyndall library was not loaded: {error}{hint}") from None
+        if "libOpenCL" not in str(error):
+            raise ImportError(f"the Tyndall library was not loaded: {error}") from None
+        hint = f"{error} (the OpenCL loader: Debian and Ubuntu have it as ocl-icd-libopencl1)"
+    loader = driver.loader()
+    if loader is None:
+        raise ImportError(f"the Tyndall library was not loaded: {hint}")
+    ctypes.CDLL(str(loader))  # what has been loaded under a name is found by it
+    return ctypes.CDLL(path)
 
 
 def _declare(library: ctypes.CDLL, path: str, signatures: Signatures) -> None:
@@ -76,6 +80,7 @@ def _check_version(library: ctypes.CDLL, path: str) -> None:
 
 def _load() -> tuple[ctypes.CDLL, str]:
     path = os.environ.get("TYNDALL_LIBRARY") or str(_packaged("tyndall") or _file_name("tyndall"))
+    driver.offer()
     library = _open(path)
     _check_version(library, path)
     for header in _HEADERS:
