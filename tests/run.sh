@@ -11,19 +11,20 @@ cd "$(dirname "$0")/.."
 say() { printf '== %s\n' "$*"; }
 TYNDALL_SCRIPT=run.sh bash samples/packages.sh tests
 
-# The independent programs of tests/peers, in a virtual environment that is made anew when the list changes. Without them
-# their tests are disabled, which is no failure: PyPI may be out of reach.
+# The independent programs of tests/peers and what tests/python needs, in a virtual environment that is made anew when the
+# lists change. Without them their tests are disabled, which is no failure: PyPI may be out of reach.
 peers() {
-  local wanted=tests/peers/requirements.txt
-  cmp -s $wanted build/peers/requirements.txt && return
-  say "install $wanted"
+  local wanted
+  wanted=$(sort -u tests/peers/requirements.txt tests/python/requirements.txt | grep -v '^#')
+  [ "$wanted" != "$(cat build/peers/requirements.txt 2>/dev/null)" ] || return 0
+  say "install tests/peers/requirements.txt and tests/python/requirements.txt"
   rm -rf build/peers
   mkdir -p build
   if python3 -m venv build/peers &&
-    build/peers/bin/python -m pip install --quiet --disable-pip-version-check --retries 1 --timeout 20 -r $wanted; then
-    cp $wanted build/peers/requirements.txt
+    build/peers/bin/python -m pip install --quiet --disable-pip-version-check --retries 1 --timeout 20 -r <(echo "$wanted"); then
+    echo "$wanted" >build/peers/requirements.txt
   else
-    echo "Not installed (see build/peers.log): the comparisons with independent programs are left out. Is the network up?"
+    echo "Not installed (see build/peers.log): the tests that need packages of PyPI are left out. Is the network up?"
   fi >build/peers.log 2>&1
   tail -n 1 build/peers.log
 }
