@@ -7,9 +7,10 @@ from __future__ import annotations
 import threading
 
 from ._context import ContextHandle
+from .slab import SlabCalls
 
 
-class Context(ContextHandle):
+class Context(SlabCalls):
     __doc__ = ContextHandle.__doc__
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Union
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from . import capi
 from ._arrays import data
+from ._numbers import number
 from .errors import InvalidArgumentError
 from .medium import Medium
 
@@ -27,6 +28,9 @@ class Layer:
     """In the unit of the medium's coefficients, > 0, at most 1e20; inf (a half-space) in the last layer only."""
 
 
+INCIDENCES = {"collimated": capi.TYN_INCIDENCE_COLLIMATED, "diffuse": capi.TYN_INCIDENCE_DIFFUSE}
+"""Light along one direction, or radiance equal from everywhere above (cosine-distributed flux)."""
+
 Layers = Union[Medium, Layer, Sequence[Layer]]
 """A stack from the top: layers, or one layer, or a medium, which is a half-space."""
 
@@ -37,7 +41,7 @@ def stack(layers: Layers) -> list[Layer]:
         layers = Layer(layers)
     if isinstance(layers, Layer):
         layers = [layers]
-    found = [Layer(one) if isinstance(one, Medium) else one for one in layers]
+    found = [Layer(one) if isinstance(one, Medium) else one for one in layers] if isinstance(layers, Iterable) else []
     if not found or not all(isinstance(one, Layer) for one in found):
         raise InvalidArgumentError("layers must be a Medium, a Layer, or one or more of Layer")
     units = {one.medium.metres_per_unit for one in found}
@@ -63,7 +67,11 @@ def slab_record(layers: Layers, ior_above: float, ior_below: float) -> Any:
         sigma_s = np.ascontiguousarray(np.broadcast_to(medium.sigma_s, channels))
         keep += [sigma_a, sigma_s]
         records[index] = capi.TynSlabLayer(
-            sigma_a=data(sigma_a), sigma_s=data(sigma_s), g=medium.g, ior=medium.ior, thickness=float(layer.thickness)
+            sigma_a=data(sigma_a),
+            sigma_s=data(sigma_s),
+            g=medium.g,
+            ior=medium.ior,
+            thickness=number(layer.thickness, "thickness"),
         )
         if medium.phase is not None:
             records[index].phase = ctypes.pointer(medium.phase.record)

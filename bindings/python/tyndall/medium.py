@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import ctypes
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -12,11 +13,33 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import capi
 from ._arrays import array
-from .errors import InvalidArgumentError
+from ._numbers import number, require
+from .colors import albedo_from_color
+from .errors import InvalidArgumentError, error_of
 from .phase import Phase
 
 MILLIMETRE = 1e-3
 """metres_per_unit of media whose coefficients are in 1/mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class MediumDescription:
+    """Characteristic lengths of a medium, one a channel; inf where there is none. In single precision. Fractions are relative
+    to a length of reference."""
+
+    albedo: NDArray[np.float64]
+    """sigma_s / sigma_t; 0 for an empty medium."""
+    diffuse_albedo: NDArray[np.float64]
+    """The colour of an index-matched half-space, `color_from_albedo`."""
+    mean_free_path_mm: NDArray[np.float64]
+    """1 / sigma_t."""
+    transport_mean_free_path_mm: NDArray[np.float64]
+    """1 / (sigma_a + sigma_s (1 - g))."""
+    diffusion_length_mm: NDArray[np.float64]
+    """1 / sqrt(3 sigma_a (sigma_a + sigma_s (1 - g)))."""
+    mean_free_path_fraction: NDArray[np.float64]
+    transport_mean_free_path_fraction: NDArray[np.float64]
+    diffusion_length_fraction: NDArray[np.float64]
 
 
 class Medium:
@@ -121,6 +144,29 @@ class Medium:
             (1 - w) / length, w / length, g=g, ior=ior, phase=phase, name=name, metres_per_unit=metres_per_unit
         )  # fmt: skip
 
+    @classmethod
+    def from_color(
+        cls,
+        color: ArrayLike,
+        mean_free_path: ArrayLike = 1.0,
+        *,
+        g: float = 0.0,
+        ior: float = 1.0,
+        phase: Phase | None = None,
+        name: str | None = None,
+        metres_per_unit: float | None = None,
+    ) -> Medium:
+        """A medium by its multiple-scattering colour, which is the diffuse albedo of an index-matched half-space of it, in
+        [0, 1], and its mean free path 1 / sigma_t, length, > 0; each a number or one a channel. The albedo is
+        `albedo_from_color` of the colour: with a boundary (ior above 1) or g far from 0 what comes out is darker. The rest as
+        for Medium()."""
+        given = array(color, "color", np.float64)
+        require((given >= 0) & (given <= 1), "color", given, "in [0, 1]")
+        albedo = albedo_from_color(given, g if phase is None else phase.mean_cosine)
+        return cls.from_albedo(
+            albedo, mean_free_path, g=g, ior=ior, phase=phase, name=name, metres_per_unit=metres_per_unit
+        )  # fmt: skip
+
     @property
     def channels(self) -> int:
         """The number of spectral channels."""
@@ -152,6 +198,41 @@ class Medium:
             self.sigma_a * factor, self.sigma_s * factor, g=self.g, ior=self.ior, phase=self.phase, name=self.name,
             metres_per_unit=metres_per_unit,
         )  # fmt: skip
+
+    def describe(self, reference_length: float = 1.0, metres_per_unit: float | None = None) -> MediumDescription:
+        """The medium's characteristic lengths, in mm and as fractions of `reference_length` (such as a mesh's diagonal, in the
+        unit of the coefficients, > 0). metres_per_unit: that unit, > 0, for a medium that does not say it itself.
+
+        Errors: InvalidArgumentError, also if the unit is not known or is said twice, differently."""
+        unit = self._unit(metres_per_unit)
+        length = number(reference_length, "reference_length")
+        require(0 < length < np.inf, "reference_length", length, "> 0 and finite")
+        columns = [self._described(channel, unit, length) for channel in range(self.channels)]
+        names = [field.name for field in fields(MediumDescription)]
+        return MediumDescription(*(np.array([getattr(one, name)[0] for one in columns], np.float64) for name in names))
+
+    def _unit(self, metres_per_unit: float | None) -> float:
+        """The unit of the coefficients: its own, else the caller's."""
+        if metres_per_unit is None:
+            if self.metres_per_unit is None:
+                raise InvalidArgumentError("the medium does not say its unit; give metres_per_unit")
+            return self.metres_per_unit
+        given = number(metres_per_unit, "metres_per_unit")
+        require(0 < given < np.inf, "metres_per_unit", given, "> 0 and finite")
+        if self.metres_per_unit not in (None, given):
+            raise InvalidArgumentError(f"metres_per_unit is {given:g}, but the medium's own is {self.metres_per_unit:g}")
+        return given
+
+    def _described(self, channel: int, metres_per_unit: float, reference_length: float) -> Any:
+        """The TynMediumDescription of one channel, three times."""
+        one = Medium(self.sigma_a[channel], self.sigma_s[channel], g=self.g, ior=self.ior, phase=self.phase)
+        result = capi.TynMediumDescription()
+        status = capi.lib.tyn_medium_describe(
+            ctypes.byref(one.record()), metres_per_unit, reference_length, ctypes.byref(result)
+        )
+        if status != capi.TYN_OK:
+            raise error_of(status, f"the coefficients of channel {channel} are out of the range of single precision")
+        return result
 
     def record(self, metres_per_unit: float | None = None) -> Any:
         """The TynMedium for calls of `tyndall.capi`, valid as long as this object, with coefficients in 1/unit of

@@ -6,6 +6,7 @@ between the directions of travel before and after (1 is straight on). Their inte
 from __future__ import annotations
 
 import ctypes
+import math
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import capi
 from ._arrays import array, data
+from ._numbers import integer, require, shaped
 from .errors import InvalidArgumentError, error_of
+from .mie import MIE_LARGEST, check_lognormal, mie, mie_cosines, mie_lognormal
+
+_UINT64 = (1 << 64) - 1
+_MOST_NUMBERS = 1 << 40
 
 
 class Phase:
@@ -72,6 +78,35 @@ class Phase:
         to 1; values: as many, >= 0, in any scale."""
         return cls(capi.TYN_PHASE_TABULATED, cosines=cosines, values=values)
 
+    @classmethod
+    def mie(cls, size_parameter: float, relative_index: complex, count: int = 2001) -> Phase:
+        """Spheres of one size in unpolarized light (Lorenz-Mie): a table at `mie_cosines(size_parameter, count)`. count: its
+        entries, 2 to 65536; the mean cosine of the default is right to 1e-4 up to a size parameter of 1000. The rest as for
+        `mie()`."""
+        cosines = mie_cosines(size_parameter, count)
+        values = mie(size_parameter, relative_index, cosines).values
+        assert values is not None
+        return cls.tabulated(cosines, values)
+
+    @classmethod
+    def mie_lognormal(
+        cls,
+        median_radius: float,
+        geometric_deviation: float,
+        wavelength: float,
+        relative_index: complex,
+        count: int = 2001,
+    ) -> Phase:
+        """Spheres with log-normal radii in unpolarized light, each weighted by what it scatters: a table of `count` entries, 2
+        to 65536, as dense as the larger spheres need. The rest as for `mie_lognormal()`."""
+        check_lognormal(median_radius, geometric_deviation, wavelength)
+        deviation = math.log(geometric_deviation)
+        largest = 2 * math.pi * median_radius / wavelength * math.exp(2 * deviation**2 + 2 * deviation)
+        cosines = mie_cosines(min(largest, MIE_LARGEST), count)
+        values = mie_lognormal(median_radius, geometric_deviation, wavelength, relative_index, cosines).values
+        assert values is not None
+        return cls.tabulated(cosines, values)
+
     @property
     def name(self) -> str:
         """ "isotropic", "rayleigh", "henyey-greenstein", "two-lobe", "draine" or "tabulated"."""
@@ -83,6 +118,30 @@ class Phase:
         """The mean of cos, in [-1, 1]."""
         return self._mean_cosine
 
+    def value(self, cosines: ArrayLike) -> Any:
+        """p(cos), 1/sr, for cosines in [-1, 1]: an array of their shape, or a float for one."""
+        return self._evaluated(capi.lib.tyn_phase_value, cosines)
+
+    def pdf(self, cosines: ArrayLike) -> Any:
+        """The density of `sample` with respect to cos, 2 pi p(cos), for cosines in [-1, 1]: an array of their shape, or a
+        float for one."""
+        return self._evaluated(capi.lib.tyn_phase_pdf, cosines)
+
+    def sample(self, count: int, seed: int = 0, first: int = 0) -> NDArray[np.float64]:
+        """`count` cosines drawn with the density `pdf`, by the code that the device runs, in single precision. Cosine i
+        depends on seed and first + i alone, each in [0, 2^64)."""
+        result = np.empty(integer(count, "count", 0, _MOST_NUMBERS))
+        numbers = integer(seed, "seed", 0, _UINT64), integer(first, "first", 0, _UINT64)
+        _check(capi.lib.tyn_phase_sample(ctypes.byref(self._record), *numbers, len(result), data(result)))
+        return result
+
+    def moments(self, count: int) -> NDArray[np.float64]:
+        """The Legendre moments 2 pi int p(cos) P_l(cos) d cos for l = 0 to count - 1: the first is 1, the second the mean
+        cosine."""
+        result = np.empty(integer(count, "count", 0, _MOST_NUMBERS))
+        _check(capi.lib.tyn_phase_moments(ctypes.byref(self._record), len(result), data(result)))
+        return result
+
     @property
     def record(self) -> Any:
         """The TynPhase for calls of `tyndall.capi`; valid as long as this object."""
@@ -93,9 +152,30 @@ class Phase:
         status = capi.lib.tyn_phase_mean_cosine(ctypes.byref(self._record), ctypes.byref(result))
         if status == capi.TYN_ERROR_INVALID_ARGUMENT:
             raise InvalidArgumentError(f"not a phase function: {self._described()}")
-        if status != capi.TYN_OK:
-            raise error_of(status, "")
+        _check(status)
         return result.value
+
+    def _evaluated(self, function: Any, cosines: ArrayLike) -> Any:
+        given = array(cosines, "cosines", np.float64)
+        require(np.abs(given) <= 1, "cosines", given, "in [-1, 1]")
+        result = np.empty(given.shape)
+        _check(function(ctypes.byref(self._record), data(given), given.size, data(result)))
+        return shaped(result)
+
+    def _arguments(self) -> dict[str, Any]:
+        """What makes the same phase function again."""
+        one = self._record
+        numbers = {"kind": one.kind, "g": one.g, "g2": one.g2, "weight": one.weight, "alpha": one.alpha}
+        return {**numbers, **dict(zip(("cosines", "values"), (table.tolist() for table in self._table)))}
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Phase) and self._arguments() == other._arguments()
+
+    def __hash__(self) -> int:
+        return hash((self._record.kind, self._mean_cosine))
+
+    def __reduce__(self) -> Any:
+        return _phase_of, (self._arguments(),)
 
     def _described(self) -> str:
         one = self._record
@@ -108,3 +188,12 @@ class Phase:
 
     def __repr__(self) -> str:
         return f"<tyndall.Phase {self.name}, mean cosine {self.mean_cosine:.4g}>"
+
+
+def _phase_of(arguments: dict[str, Any]) -> Phase:
+    return Phase(**arguments)
+
+
+def _check(status: int) -> None:
+    if status != capi.TYN_OK:
+        raise error_of(status, "")
