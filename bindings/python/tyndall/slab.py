@@ -90,7 +90,8 @@ class SlabCalls(ContextHandle):
         on for ever, and more than 2^22 bins a channel), OutOfMemoryError, DeviceError, KernelBuildError, CancelledError, whose
         `result` is the SlabResult of what was done.
         """
-        slab = slab_record(layers, number(ior_above, "ior_above"), number(ior_below, "ior_below"))
+        found = stack(layers)
+        slab = slab_record(found, number(ior_above, "ior_above"), number(ior_below, "ior_below"))
         options = capi.TynSlabOptions(
             incidence=choice(incidence, "incidence", INCIDENCES),
             angle=number(angle, "angle"),
@@ -109,7 +110,7 @@ class SlabCalls(ContextHandle):
         options.radial_max, options.radial_bins = _axis(radial, "radial")
         options.depth_max, options.depth_bins = _axis(depth, "depth")
         options.path_max, options.path_bins = _axis(path, "path")
-        media = None if sweep is None else sweep_coefficients(sweep, stack(layers))
+        media = None if sweep is None else sweep_coefficients(sweep, found)
         if media is not None:
             options.sweep_count = len(media[0])
             options.sweep_sigma_a, options.sweep_sigma_s = data(media[0]), data(media[1])
@@ -151,5 +152,7 @@ def _axis(value: tuple[float, int] | None, name: str) -> tuple[float, int]:
     try:
         end, bins = value
     except (TypeError, ValueError):
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be where it ends and the number of bins") from None
+        raise InvalidArgumentError(
+            f"{name} is {value!r}; it must be a pair, where the bins end and how many there are"
+        ) from None
     return number(end, f"the end of {name}"), _bins(bins, f"the number of bins of {name}")

@@ -8,6 +8,7 @@ at least once, unless said otherwise. Bins are equal steps: `edges` has one entr
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Any
@@ -174,9 +175,18 @@ def _totals_shown(result: SlabResult) -> Iterator[str]:
         ("transmittance", through.total), ("  direct", through.direct), ("  diffuse", through.diffuse),
         ("absorbed", result.absorbed), ("cut", result.cut),
     ):  # fmt: skip
-        shown = "   ".join(f"{float(one):.5f} ± {float(one.stderr):.5f}" for one in values[:_SHOWN_CHANNELS])
-        more = f"   ... of {len(values)} channels" if len(values) > _SHOWN_CHANNELS else ""
-        yield f"  {name:15}{shown}{more}"
+        shown = "".join(f"{_shown(one):24}" for one in values[:_SHOWN_CHANNELS])
+        more = f"... of {len(values)} channels" if len(values) > _SHOWN_CHANNELS else ""
+        yield f"  {name:15}{shown}{more}".rstrip()
+
+
+def _shown(one: Estimate) -> str:
+    """The value to the second digit of its standard error."""
+    value, error = float(one), float(one.stderr)
+    if not error > 0:
+        return f"{value:.6g} ± {error:g}"
+    digits = min(max(1 - math.floor(math.log10(error)), 2), 12)
+    return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
 def _parts_shown(result: SlabResult) -> Iterator[str]:
