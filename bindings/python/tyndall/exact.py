@@ -253,9 +253,13 @@ def _closed_form(function: Callable[..., float], arguments: dict[str, ArrayLike]
     return elementwise(one, broadcast(arguments))
 
 
-def _alike(*keys: NDArray[np.float64]) -> Iterator[tuple[list[float], NDArray[np.intp]]]:
+def _alike(*keys: NDArray[np.float64]) -> Iterator[tuple[list[float], Any]]:
     """Each different row of numbers at the same place of the keys, with the places, as a flat index, that have it."""
     if keys[0].size == 0:
+        return
+    first = [float(key.flat[0]) for key in keys]
+    if all(np.all(key == number) for key, number in zip(keys, first)):
+        yield first, slice(None)
         return
     table = np.stack([key.ravel() for key in keys], axis=1)
     rows, inverse, counts = np.unique(table, axis=0, return_inverse=True, return_counts=True)
