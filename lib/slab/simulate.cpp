@@ -37,7 +37,7 @@ class Run {
 public:
   Run(TynContext &context, const Slab &slab_, const TynSlabOptions &options_)
       : slab(slab_), options(options_), engine(context, slab, options),
-        cores(std::max(1u, context.device_info.compute_units)), batches_at_once(cores) {
+        cores(std::max(1u, context.device_info.compute_units)) {
     for (uint32_t c = 0; c < slab.channels; ++c)
       channels.emplace_back(slab, c, options, engine.parameters(), engine.specular());
   }
@@ -85,7 +85,8 @@ private:
     const uint32_t size = batch_size(options.photons, engine.parameters().tally_count, channels.size(), done);
     const uint64_t left = options.photons ? options.photons - done : UINT64_MAX;
     const uint64_t before_growth = size < TYN_SLAB_BATCH && size * 64ull > done ? size * 64ull - done : UINT64_MAX;
-    const uint32_t most = std::clamp(engine.most_batches() / uint32_t(channels.size()), 1u, batches_at_once);
+    const double fitting = std::clamp(photons_at_once / size, double(cores), 1024.0);
+    const uint32_t most = std::clamp(engine.most_batches() / uint32_t(channels.size()), 1u, uint32_t(fitting));
     const uint64_t wanted = std::min({uint64_t(size) * most, left, round_up(before_growth, size)});
     const auto photons = uint32_t(wanted);
     std::vector<std::vector<int64_t>> tallies;
@@ -95,8 +96,7 @@ private:
     }
     add_batches(tallies, photons, size);
     const double seconds = std::max(seconds_since(begin), 1e-6);
-    const double fitting = batches_at_once * launch_seconds / seconds;
-    batches_at_once = uint32_t(std::clamp(fitting, double(cores), 1024.0));
+    photons_at_once = photons * launch_seconds / seconds;
   }
 
   static uint64_t round_up(uint64_t value, uint64_t step) {
@@ -155,7 +155,7 @@ private:
   uint64_t done = 0;
   uint64_t batches = 0;
   const uint32_t cores;
-  uint32_t batches_at_once;
+  double photons_at_once = 0; // what a launch of that time walks; how large a batch is changes meanwhile
 };
 
 } // namespace
