@@ -87,4 +87,9 @@ class LongCall:
         self._run_handlers()
 
 
-_SIGNALS = tuple(signal.valid_signals())
+# Those that programs handle by raising something. (To look at every signal there is takes longer than a small call.)
+_SIGNALS = tuple(
+    getattr(signal, name)
+    for name in ("SIGINT", "SIGTERM", "SIGALRM", "SIGHUP", "SIGQUIT", "SIGUSR1", "SIGUSR2", "SIGVTALRM", "SIGBREAK")
+    if hasattr(signal, name)
+)
