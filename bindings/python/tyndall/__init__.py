@@ -2,26 +2,51 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tyndall: subsurface scattering."""
 
-from . import exact
+from . import exact, shapes
+from .camera import Camera
 from .colors import albedo_from_color, color_from_albedo
 from .context import Context, default_context
 from .devices import Device, devices
+from .dtypes import HIT, NONE, RAY, WALK_ENTRY, WALK_EXIT
 from .estimate import Estimate
 from .exact import adding_doubling
+from .exits import Exits
 from .layers import Layer
+from .ledger import Ledger
+from .light import Environment, Light
+from .material import Material, Texture
 from .medium import Medium
 from .mie import mie, mie_cosines, mie_lognormal, rayleigh_cross_section
 from .phase import Phase
+from .rays import rays
+from .scene import Scene
+from .scene_info import MeshInfo, SceneInfo
 from .slab_results import SlabResult
+from .walk_entries import walk_entries, walk_entries_at
 
 __all__ = [
+    "HIT",
+    "NONE",
+    "RAY",
+    "WALK_ENTRY",
+    "WALK_EXIT",
+    "Camera",
     "Context",
     "Device",
+    "Environment",
     "Estimate",
+    "Exits",
     "Layer",
+    "Ledger",
+    "Light",
+    "Material",
     "Medium",
+    "MeshInfo",
     "Phase",
+    "Scene",
+    "SceneInfo",
     "SlabResult",
+    "Texture",
     "adding_doubling",
     "albedo_from_color",
     "color_from_albedo",
@@ -32,4 +57,8 @@ __all__ = [
     "mie_cosines",
     "mie_lognormal",
     "rayleigh_cross_section",
+    "rays",
+    "shapes",
+    "walk_entries",
+    "walk_entries_at",
 ]

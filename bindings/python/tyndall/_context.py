@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
+from typing import Any, Callable
 
 from . import capi
 from ._handles import Handle
@@ -43,12 +43,10 @@ class ContextHandle(Handle):
         Errors: NoDeviceError, InvalidArgumentError, OutOfMemoryError, DeviceError.
         """
         choice = device_choice(device)
-        options = capi.TynContextOptions(memory_limit=memory_limit, lane_width=lane_width)
+        options = context_options(memory_limit, lane_width, cache_directory)
         if choice is not None:
             options.device = choice.encode()
-        if cache_directory is not None:
-            options.cache_directory = str(cache_directory).encode()
-        super().__init__(_create(options), capi.lib.tyn_context_release)
+        super().__init__(create(options, capi.lib.tyn_context_create), capi.lib.tyn_context_release)
 
     @property
     def device(self) -> Device:
@@ -61,12 +59,21 @@ class ContextHandle(Handle):
         return "<tyndall.Context, closed>" if self.closed else f"<tyndall.Context on {self.device.name}>"
 
 
-def _create(options: Any) -> Any:
+def context_options(memory_limit: int, lane_width: int, cache_directory: str | None) -> Any:
+    """The TynContextOptions of a context's arguments, without a device."""
+    options = capi.TynContextOptions(memory_limit=memory_limit, lane_width=lane_width)
+    if cache_directory is not None:
+        options.cache_directory = str(cache_directory).encode()
+    return options
+
+
+def create(options: Any, function: Callable[..., int], *arguments: Any) -> Any:
+    """The context that `function(options, *arguments, context)` makes."""
     message = ctypes.create_string_buffer(_MESSAGE_BYTES)
     options.message = ctypes.cast(message, ctypes.c_char_p)
     options.message_capacity = _MESSAGE_BYTES
     pointer = ctypes.POINTER(capi.TynContext)()
-    status = capi.lib.tyn_context_create(ctypes.byref(options), ctypes.byref(pointer))
+    status = function(ctypes.byref(options), *arguments, ctypes.byref(pointer))
     if status != capi.TYN_OK:
         raise error_of(status, message.value.decode(errors="replace"))
     return pointer

@@ -103,6 +103,7 @@ class Handle:
     def _call(self, function: Callable[..., int], *arguments: Any) -> None:
         """Calls `function(*arguments)`, and raises what its status stands for, with the context's message."""
         with self._guard:
+            _ = self.handle  # another thread may have closed it while this one waited
             self._check(function(*arguments))
 
     def _check(self, status: int) -> None:

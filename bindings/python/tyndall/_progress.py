@@ -6,6 +6,9 @@ from __future__ import annotations
 
 import signal
 import threading
+
+# Not signal.getsignal, which makes an enumeration of each answer: most of what a short call would cost.
+from _signal import getsignal  # type: ignore[import-not-found]
 from types import FrameType, TracebackType
 from typing import Any, Callable, Union
 
@@ -70,8 +73,8 @@ class LongCall:
     def __enter__(self) -> LongCall:
         if threading.current_thread() is threading.main_thread():
             for number in _SIGNALS:
-                handler = signal.getsignal(number)
-                if callable(handler) and not isinstance(handler, signal.Handlers):
+                handler = getsignal(number)
+                if callable(handler):
                     self._handlers[number] = handler
                     signal.signal(number, self._note)
         return self

@@ -7,10 +7,14 @@ from __future__ import annotations
 import threading
 
 from ._context import ContextHandle
+from .interop import InteropCalls
+from .rays import RayCalls
+from .scene import SceneCalls
 from .slab import SlabCalls
+from .walk import WalkCalls
 
 
-class Context(SlabCalls):
+class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, InteropCalls):
     __doc__ = ContextHandle.__doc__
 
 

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+"""Where the energy of walks went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class Ledger:
+    """Sums of a batch's weights, three numbers (RGB) each, and numbers of walks. In every channel
+    entered = reflected + escaped + absorbed + balance + capped + leaked + lost."""
+
+    entered: NDArray[np.float64]
+    reflected: NDArray[np.float64]
+    """By the boundary, before entering (kind "refract")."""
+    escaped: NDArray[np.float64]
+    absorbed: NDArray[np.float64]
+    """By sigma_a, in expectation at every scattering."""
+    balance: NDArray[np.float64]
+    """What roulette and the balance heuristic over channels removed (> 0) or added (< 0): zero on average."""
+    capped: NDArray[np.float64]
+    """Cut by max_scatterings, or trapped."""
+    leaked: NDArray[np.float64]
+    """Left through a hole."""
+    lost: NDArray[np.float64]
+    """Numerically."""
+    walks: int
+    escaped_walks: int
+    absorbed_walks: int
+    capped_walks: int
+    leaked_walks: int
+    lost_walks: int
+    reflected_walks: int
+    scatterings: int
+    """Scattering events of all walks."""
+
+    @classmethod
+    def of(cls, record: Any) -> Ledger:
+        """The sums of a TynLedger."""
+        values: dict[str, Any] = {}
+        for field in fields(cls):
+            value = getattr(record, field.name)
+            values[field.name] = value if isinstance(value, int) else np.array(value, np.float64)
+        return cls(**values)
