@@ -52,7 +52,9 @@ class Fields:
         count = 1 if kind is ctypes.c_float else kind._length_
         shape = () if kind is ctypes.c_float else self._SHAPES.get(name, (count,))
         try:
-            given = np.asarray(value, np.float64)
+            given = np.asarray(value)
+            if given.dtype.kind not in "biuf":
+                raise TypeError
         except (TypeError, ValueError):
             raise InvalidArgumentError(f"{type(self).__name__}.{name} is {value!r}; it must be numbers") from None
         if given.ndim == 0 and len(shape) == 1:
