@@ -105,7 +105,7 @@ def _rays(given: ArrayLike, direction: ArrayLike | None, t_min: ArrayLike, t_max
     if found.dtype.names is None:
         if direction is None:
             raise InvalidArgumentError("rays must be an array of the type tyndall.RAY, or origins with a direction")
-        return rays(found, direction, t_min=t_min, t_max=t_max)
+        return rays(given, direction, t_min=t_min, t_max=t_max)
     if direction is not None or np.ndim(t_min) > 0 or t_min != 0.0 or np.ndim(t_max) > 0 or t_max != np.inf:
         raise InvalidArgumentError("rays are records, which have their own direction, t_min and t_max: do not give these, too")
     return np.atleast_1d(found)

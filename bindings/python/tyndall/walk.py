@@ -115,7 +115,7 @@ def _with_ledger(exits: Exits, ledger: Any) -> Exits:
 def _entries(entries: ArrayLike, fields: dict[str, Any]) -> NDArray[Any]:
     given = np.asarray(entries)
     if given.dtype.names is None:
-        return walk_entries(given, **fields)
+        return walk_entries(entries, **fields)
     usual = walk_entries.__kwdefaults__ or {}
     for name, value in fields.items():
         if value is not None and (np.ndim(value) > 0 or value != usual[name]):
