@@ -4,20 +4,24 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any
 
+from ._arrays import _shown
 from .errors import InvalidArgumentError
 
 
 def cl_object(value: Any, name: str) -> int:
     """The address of an OpenCL object: `value` if it is an integer, else its `int_ptr`, which pyopencl's objects have. What
     lies at an address is not looked at."""
-    address = getattr(value, "int_ptr", value)
-    if isinstance(address, bool) or not hasattr(address, "__index__") or address.__index__() <= 0:
-        raise InvalidArgumentError(
-            f"{name} is {value!r}; it must be an object of pyopencl's, or the address of one of OpenCL's"
-        )
-    return int(address.__index__())
+    given = getattr(value, "int_ptr", value)
+    try:
+        address = 0 if isinstance(given, bool) else operator.index(given)
+    except TypeError:
+        address = 0
+    if address <= 0:
+        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be an object of pyopencl's, or the address of OpenCL's")
+    return address
 
 
 def cl_buffer(value: Any, name: str) -> int:

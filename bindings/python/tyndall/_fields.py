@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from collections.abc import Mapping
 from dataclasses import fields
 from types import SimpleNamespace
@@ -13,6 +14,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 
 from . import capi
+from ._arrays import _shown
 from .capi.record import Record
 from .errors import InvalidArgumentError
 
@@ -96,12 +98,12 @@ class Fields:
 def index(value: Any, name: str) -> int:
     """`value` as an index; InvalidArgumentError with `name` otherwise."""
     try:
-        number = value.__index__()
-    except AttributeError:
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be an index") from None
+        number = operator.index(value)
+    except TypeError:
+        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be an index") from None
     if isinstance(value, bool) or not 0 <= number < capi.TYN_NONE:
         raise InvalidArgumentError(f"{name} is {value!r}; it must be an index, in [0, {capi.TYN_NONE - 1}]")
-    return int(number)
+    return number
 
 
 def choice(value: Any, name: str, names: tuple[str, ...]) -> str:

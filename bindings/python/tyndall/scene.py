@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import capi
+from ._arrays import _shown
 from ._context import ContextHandle
 from ._fields import decimal, index
 from ._handles import Handle
@@ -225,7 +226,7 @@ def mesh_choice(mesh: int | None) -> int:
 
 def _require(value: object, name: str, kind: type) -> None:
     if not isinstance(value, kind):
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be a tyndall.{kind.__name__}")
+        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be a tyndall.{kind.__name__}")
 
 
 def _phase(record: Any) -> Phase:
