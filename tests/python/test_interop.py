@@ -19,15 +19,14 @@ import tyndall as ty
 from tyndall._cl import cl_buffer, cl_object
 from tyndall.errors import ClosedError, InvalidArgumentError, InvalidOperationError
 
-# pyopencl brings a loader of its own, which may not know where the system's drivers are listed.
-if os.path.isdir("/etc/OpenCL/vendors"):
-    os.environ.setdefault("OCL_ICD_VENDORS", "/etc/OpenCL/vendors")
-
 COUNT = 500
 
 
 @pytest.fixture(scope="module")
 def cl() -> Any:
+    # pyopencl brings a loader of its own, which may not know where the system's drivers are listed.
+    if os.path.isdir("/etc/OpenCL/vendors"):
+        os.environ.setdefault("OCL_ICD_VENDORS", "/etc/OpenCL/vendors")
     return pytest.importorskip("pyopencl", reason="pyopencl is not installed")
 
 

@@ -208,7 +208,7 @@ def test_bad_meshes_are_refused(scene: ty.Scene, positions: Any, triangles: Any,
     assert scene.info.mesh_count == 0
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40, deadline=None, derandomize=True)
 @given(
     rows=st.integers(0, 6),
     columns=st.sampled_from([3, 3, 2, 4]),
@@ -226,7 +226,8 @@ def test_any_array_of_positions_is_read_or_refused(
                 scene.add_mesh(positions, [(0, 1, 2)])
         else:
             scene.add_mesh(positions, [(0, 1, 2)])
-            assert np.array_equal(scene.mesh_info(0).lower, positions.astype(np.float32).min(axis=0))
+            used = positions[:3].astype(np.float32)
+            assert np.array_equal(scene.mesh_info(0).lower, used.min(axis=0))
 
 
 # ---- media, materials and the rest
