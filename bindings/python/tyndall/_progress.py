@@ -8,7 +8,6 @@ import signal
 import threading
 
 # Not signal.getsignal, which makes an enumeration of each answer: most of what a short call would cost.
-from _signal import getsignal  # type: ignore[import-not-found]
 from types import FrameType, TracebackType
 from typing import Any, Callable, Union
 
@@ -73,7 +72,7 @@ class LongCall:
     def __enter__(self) -> LongCall:
         if threading.current_thread() is threading.main_thread():
             for number in _SIGNALS:
-                handler = getsignal(number)
+                handler = signal.getsignal(number)
                 if callable(handler):
                     self._handlers[number] = handler
                     signal.signal(number, self._note)
