@@ -28,7 +28,10 @@ def array(value: ArrayLike, name: str, dtype: Any = np.float32, shape: Sequence[
         given = np.asarray(value)
         if given.dtype.kind not in "biuf" and given.size > 0:
             raise TypeError
-        result = np.ascontiguousarray(given, dtype=dtype)
+        with np.errstate(over="ignore", invalid="ignore"):  # what a float32 cannot hold is inf, which the library refuses
+            result = np.ascontiguousarray(given, dtype=dtype)
+        if result.dtype.kind in "iu" and given.dtype != result.dtype and np.any(result != given):
+            raise ValueError  # numpy would wrap and truncate
     except (TypeError, ValueError, OverflowError):
         raise InvalidArgumentError(f"{name} must be numbers that fit {np.dtype(dtype).name}; it is {_shown(value)}") from None
     if given.ndim == 0:
