@@ -3,6 +3,7 @@
 """Tyndall: subsurface scattering."""
 
 from . import exact, shapes
+from .bssrdf_records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH
 from .camera import Camera
 from .colors import albedo_from_color, color_from_albedo
 from .context import Context, default_context
@@ -11,12 +12,14 @@ from .dtypes import HIT, NONE, RAY, WALK_ENTRY, WALK_EXIT
 from .estimate import Estimate
 from .exact import adding_doubling
 from .exits import Exits
+from .functions import bssrdf
 from .layers import Layer
 from .ledger import Ledger
 from .light import Environment, Light
 from .material import Material, Texture
 from .medium import Medium
 from .mie import mie, mie_cosines, mie_lognormal, rayleigh_cross_section
+from .models import Bssrdf, BssrdfExits, BssrdfSamples, bssrdf_models
 from .phase import Phase
 from .rays import rays
 from .scene import Scene
@@ -25,11 +28,17 @@ from .slab_results import SlabResult
 from .walk_entries import walk_entries, walk_entries_at
 
 __all__ = [
+    "BSSRDF_ENTRY",
+    "BSSRDF_EXIT",
+    "BSSRDF_PATH",
     "HIT",
     "NONE",
     "RAY",
     "WALK_ENTRY",
     "WALK_EXIT",
+    "Bssrdf",
+    "BssrdfExits",
+    "BssrdfSamples",
     "Camera",
     "Context",
     "Device",
@@ -49,6 +58,8 @@ __all__ = [
     "Texture",
     "adding_doubling",
     "albedo_from_color",
+    "bssrdf",
+    "bssrdf_models",
     "color_from_albedo",
     "default_context",
     "devices",

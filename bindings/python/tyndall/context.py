@@ -8,13 +8,14 @@ import threading
 
 from ._context import ContextHandle
 from .interop import InteropCalls
+from .models import BssrdfCalls
 from .rays import RayCalls
 from .scene import SceneCalls
 from .slab import SlabCalls
 from .walk import WalkCalls
 
 
-class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, InteropCalls):
+class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, InteropCalls, BssrdfCalls):
     __doc__ = ContextHandle.__doc__
 
 

@@ -1,0 +1,16 @@
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+"""Calls of a context that may be made without one: they use the default one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .context import Context, default_context
+from .layers import Layers
+from .models import Bssrdf
+
+
+def bssrdf(model: str, layers: Layers, *, context: Context | None = None, **options: Any) -> Bssrdf:
+    """Prepares a BSSRDF model of a medium: Context.bssrdf of `context`, by default of `default_context()`."""
+    return (context or default_context()).bssrdf(model, layers, **options)
