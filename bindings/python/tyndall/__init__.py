@@ -13,6 +13,7 @@ from .estimate import Estimate
 from .exact import adding_doubling
 from .exits import Exits
 from .functions import bssrdf
+from .image import Image
 from .layers import Layer
 from .ledger import Ledger
 from .light import Environment, Light
@@ -22,6 +23,7 @@ from .mie import mie, mie_cosines, mie_lognormal, rayleigh_cross_section
 from .models import Bssrdf, BssrdfExits, BssrdfSamples, bssrdf_models
 from .phase import Phase
 from .rays import rays
+from .renderer import Renderer, RenderStats
 from .scene import Scene
 from .scene_info import MeshInfo, SceneInfo
 from .slab_results import SlabResult
@@ -45,6 +47,7 @@ __all__ = [
     "Environment",
     "Estimate",
     "Exits",
+    "Image",
     "Layer",
     "Ledger",
     "Light",
@@ -52,6 +55,8 @@ __all__ = [
     "Medium",
     "MeshInfo",
     "Phase",
+    "RenderStats",
+    "Renderer",
     "Scene",
     "SceneInfo",
     "SlabResult",

@@ -10,12 +10,13 @@ from ._context import ContextHandle
 from .interop import InteropCalls
 from .models import BssrdfCalls
 from .rays import RayCalls
+from .render import RenderCalls
 from .scene import SceneCalls
 from .slab import SlabCalls
 from .walk import WalkCalls
 
 
-class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, InteropCalls, BssrdfCalls):
+class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls, BssrdfCalls):
     __doc__ = ContextHandle.__doc__
 
 

@@ -60,7 +60,7 @@ class InternalError(TyndallError):
 
 
 class TyndallWarning(UserWarning):
-    """Something in a file was ignored, repaired or is doubtful."""
+    """Something was ignored, repaired or is doubtful: in a file, or in a scene."""
 
 
 _KINDS: dict[int, type[TyndallError]] = {
