@@ -12,6 +12,7 @@ from .dtypes import HIT, NONE, RAY, WALK_ENTRY, WALK_EXIT
 from .estimate import Estimate
 from .exact import adding_doubling
 from .exits import Exits
+from .files import write_exr, write_png
 from .functions import bssrdf
 from .image import Image
 from .layers import Layer
@@ -77,4 +78,6 @@ __all__ = [
     "shapes",
     "walk_entries",
     "walk_entries_at",
+    "write_exr",
+    "write_png",
 ]

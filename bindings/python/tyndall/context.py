@@ -8,6 +8,7 @@ import threading
 
 from ._context import ContextHandle
 from .interop import InteropCalls
+from .load import LoadCalls
 from .models import BssrdfCalls
 from .rays import RayCalls
 from .render import RenderCalls
@@ -16,7 +17,7 @@ from .slab import SlabCalls
 from .walk import WalkCalls
 
 
-class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls, BssrdfCalls):
+class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls, LoadCalls, BssrdfCalls):
     __doc__ = ContextHandle.__doc__
 
 

@@ -14,7 +14,6 @@ from . import capi
 from ._arrays import _shown
 from ._context import ContextHandle
 from ._fields import decimal, index
-from ._handles import Handle
 from ._image import image_record
 from ._mesh import mesh_record
 from .camera import Camera
@@ -23,10 +22,11 @@ from .light import Environment, Light
 from .material import Material
 from .medium import Medium
 from .phase import Phase
+from .scene_files import SceneFiles
 from .scene_info import MeshInfo, SceneInfo
 
 
-class Scene(Handle):
+class Scene(SceneFiles):
     """What light meets; made by `Context.scene`. Things are added to it, then `commit()` makes it read-only and ready for rays,
     walks and renderers. Lengths are in scene units, of `metres_per_unit` metres. Right-handed, Y up; RGB is linear, Rec.709.
 
