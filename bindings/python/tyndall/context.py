@@ -17,7 +17,7 @@ from .slab import SlabCalls
 from .walk import WalkCalls
 
 
-class Context(SlabCalls, SceneCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls, LoadCalls, BssrdfCalls):
+class Context(SlabCalls, BssrdfCalls, SceneCalls, LoadCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls):
     __doc__ = ContextHandle.__doc__
 
 
