@@ -65,12 +65,12 @@ class Scene(SceneFiles):
         """Adds a medium of 1 or 3 channels, and returns its index. Its coefficients are converted to 1/scene unit if it says
         its unit, and else taken as being that. The same object is added once."""
         _require(medium, "medium", Medium)
-        return self._added_once(medium, lambda: self._add("medium", medium.record(self._metres_per_unit)))
+        return self._added_once(medium, lambda: self._add(capi.lib.tyn_scene_add_medium, medium.record(self._metres_per_unit)))
 
     def add_material(self, material: Material) -> int:
         """Adds a material and returns its index. The same object is added once."""
         _require(material, "material", Material)
-        return self._added_once(material, lambda: self._add("material", material.record()))
+        return self._added_once(material, lambda: self._add(capi.lib.tyn_scene_add_material, material.record()))
 
     def add_image(self, pixels: ArrayLike, *, srgb: bool | None = None, name: str | None = None) -> int:
         """Adds an image and returns its index.
@@ -80,7 +80,7 @@ class Scene(SceneFiles):
         srgb: whether R, G and B of uint8 pixels have the sRGB curve; None: they do. The fourth channel is linear.
         name: may be None.
         """
-        return self._add("image", image_record(pixels, srgb, name))
+        return self._add(capi.lib.tyn_scene_add_image, image_record(pixels, srgb, name))
 
     def add_mesh(
         self,
@@ -117,17 +117,17 @@ class Scene(SceneFiles):
             record.medium = self.add_medium(medium) if isinstance(medium, Medium) else index(medium, "medium")
         if material is not None:
             record.material = self.add_material(material) if isinstance(material, Material) else index(material, "material")
-        return self._add("mesh", record)
+        return self._add(capi.lib.tyn_scene_add_mesh, record)
 
     def add_light(self, light: Light) -> int:
         """Adds a light without size and returns its index."""
         _require(light, "light", Light)
-        return self._add("light", light.record())
+        return self._add(capi.lib.tyn_scene_add_light, light.record())
 
     def add_camera(self, camera: Camera) -> int:
         """Adds a camera and returns its index."""
         _require(camera, "camera", Camera)
-        return self._add("camera", camera.record())
+        return self._add(capi.lib.tyn_scene_add_camera, camera.record())
 
     def set_environment(self, environment: Environment) -> None:
         """Replaces the environment; a scene starts with a black one."""
@@ -181,9 +181,9 @@ class Scene(SceneFiles):
         self._call(capi.lib.tyn_scene_frame, self.handle, float(aspect_ratio), ctypes.byref(record))
         return Camera.of(record)
 
-    def _add(self, what: str, record: Any) -> int:
+    def _add(self, function: Any, record: Any) -> int:
         result = ctypes.c_uint32()
-        self._call(getattr(capi.lib, f"tyn_scene_add_{what}"), self.handle, ctypes.byref(record), ctypes.byref(result))
+        self._call(function, self.handle, ctypes.byref(record), ctypes.byref(result))
         return result.value
 
     def _added_once(self, item: object, add: Callable[[], int]) -> int:
