@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import tyndall as ty
-from tyndall._cl import cl_buffer, cl_object
+from tyndall._core.opencl import cl_buffer, cl_object
 from tyndall.errors import ClosedError, InvalidArgumentError, InvalidOperationError
 
 COUNT = 500

@@ -285,7 +285,7 @@ def test_bad_arguments(context: ty.Context, scene: ty.Scene) -> None:
         with pytest.raises(ValueError, match=message):
             context.render(scene, **given_options)
     for name in ("width", "spp", "seed"):
-        with pytest.raises(TypeError, match=rf"{name} is 1\.5; it must be an integer"):
+        with pytest.raises(errors.InvalidArgumentError, match=rf"{name} is 1\.5; it must be an integer"):
             context.render(scene, **{**SIZE, "spp": 1, name: 1.5})  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="progress is 3"):
         context.render(scene, **SIZE, spp=1, progress=3)  # type: ignore[arg-type]

@@ -372,9 +372,9 @@ def test_bad_arguments_are_refused(context: ty.Context, milk: ty.Scene, given_ar
 
 @pytest.mark.parametrize("name", ["seed", "first_path", "max_scatterings"])
 def test_bad_numbers_are_refused(context: ty.Context, milk: ty.Scene, name: str) -> None:
-    bad: list[tuple[Any, type[Exception]]] = [(-1, ValueError), (1 << 64, ValueError), (0.5, TypeError), ("1", TypeError)]
-    for value, kind in bad:
-        with pytest.raises(kind, match=f"{name} is "):
+    bad: list[Any] = [-1, 1 << 64, 0.5, "1"]
+    for value in bad:
+        with pytest.raises(InvalidArgumentError, match=f"{name} is "):
             context.walk(milk, [0, 0, 0], [0, 0, 1], **{name: value})
 
 

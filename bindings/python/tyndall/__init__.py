@@ -3,32 +3,32 @@
 """Tyndall: subsurface scattering."""
 
 from . import exact, shapes
-from .bssrdf_records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH
-from .camera import Camera
-from .colors import albedo_from_color, color_from_albedo
+from ._bssrdf.models import Bssrdf, BssrdfExits, BssrdfSamples, bssrdf_models
+from ._bssrdf.records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH
+from ._core.devices import Device, devices
+from ._core.dtypes import HIT, NONE, RAY, WALK_ENTRY, WALK_EXIT
+from ._files.writing import write_exr, write_png
+from ._media.colors import albedo_from_color, color_from_albedo
+from ._media.medium import Medium
+from ._media.mie import mie, mie_cosines, mie_lognormal, rayleigh_cross_section
+from ._media.phase import Phase
+from ._render.image import Image
+from ._render.renderer import Renderer, RenderStats
+from ._scene.camera import Camera
+from ._scene.info import MeshInfo, SceneInfo
+from ._scene.light import Environment, Light
+from ._scene.material import Material, Texture
+from ._scene.rays import rays
+from ._scene.scene import Scene
+from ._slab.estimate import Estimate
+from ._slab.layers import Layer
+from ._slab.results import SlabResult
+from ._walk.entries import walk_entries, walk_entries_at
+from ._walk.exits import Exits
+from ._walk.ledger import Ledger
 from .context import Context, default_context
-from .devices import Device, devices
-from .dtypes import HIT, NONE, RAY, WALK_ENTRY, WALK_EXIT
-from .estimate import Estimate
 from .exact import adding_doubling
-from .exits import Exits
-from .files import write_exr, write_png
 from .functions import bssrdf
-from .image import Image
-from .layers import Layer
-from .ledger import Ledger
-from .light import Environment, Light
-from .material import Material, Texture
-from .medium import Medium
-from .mie import mie, mie_cosines, mie_lognormal, rayleigh_cross_section
-from .models import Bssrdf, BssrdfExits, BssrdfSamples, bssrdf_models
-from .phase import Phase
-from .rays import rays
-from .renderer import Renderer, RenderStats
-from .scene import Scene
-from .scene_info import MeshInfo, SceneInfo
-from .slab_results import SlabResult
-from .walk_entries import walk_entries, walk_entries_at
 
 __all__ = [
     "BSSRDF_ENTRY",

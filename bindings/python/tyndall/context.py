@@ -6,15 +6,15 @@ from __future__ import annotations
 
 import threading
 
-from ._context import ContextHandle
+from ._bssrdf.models import BssrdfCalls
+from ._core.context import ContextHandle
+from ._files.loading import LoadCalls
+from ._render.calls import RenderCalls
+from ._scene.rays import RayCalls
+from ._scene.scene import SceneCalls
+from ._slab.calls import SlabCalls
+from ._walk.calls import WalkCalls
 from .interop import InteropCalls
-from .load import LoadCalls
-from .models import BssrdfCalls
-from .rays import RayCalls
-from .render import RenderCalls
-from .scene import SceneCalls
-from .slab import SlabCalls
-from .walk import WalkCalls
 
 
 class Context(SlabCalls, BssrdfCalls, SceneCalls, LoadCalls, RayCalls, WalkCalls, RenderCalls, InteropCalls):

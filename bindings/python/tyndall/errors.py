@@ -6,8 +6,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import capi
-
 
 class TyndallError(Exception):
     """A call failed; the message says what was wrong, with which value, and what is allowed."""
@@ -61,22 +59,3 @@ class InternalError(TyndallError):
 
 class TyndallWarning(UserWarning):
     """Something was ignored, repaired or is doubtful: in a file, or in a scene."""
-
-
-_KINDS: dict[int, type[TyndallError]] = {
-    capi.TYN_ERROR_INVALID_ARGUMENT: InvalidArgumentError,
-    capi.TYN_ERROR_INVALID_OPERATION: InvalidOperationError,
-    capi.TYN_ERROR_OUT_OF_MEMORY: OutOfMemoryError,
-    capi.TYN_ERROR_NO_DEVICE: NoDeviceError,
-    capi.TYN_ERROR_KERNEL_BUILD: KernelBuildError,
-    capi.TYN_ERROR_DEVICE: DeviceError,
-    capi.TYN_ERROR_CANCELLED: CancelledError,
-    capi.TYN_ERROR_FILE: FileError,
-    capi.TYN_ERROR_FORMAT: FormatError,
-    capi.TYN_ERROR_INTERNAL: InternalError,
-}
-
-
-def error_of(status: int, message: str) -> TyndallError:
-    """The exception of a status other than TYN_OK; without a message it says the status."""
-    return _KINDS.get(status, InternalError)(message or capi.lib.tyn_status_string(status).decode())

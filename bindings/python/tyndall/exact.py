@@ -20,12 +20,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import capi
-from ._arrays import array, data
-from ._choices import choice
-from ._numbers import broadcast, elementwise, integer, number, require, shaped
-from .errors import InvalidArgumentError, error_of
-from .layers import INCIDENCES, Layers, slab_record
-from .phase import Phase
+from ._core.arrays import array, data
+from ._core.choices import choice
+from ._core.numbers import broadcast, elementwise, integer, number, require, shaped
+from ._core.status import error_of
+from ._media.phase import Phase
+from ._slab.layers import INCIDENCES, Layers, slab_record
+from .errors import InvalidArgumentError
 
 _MESSAGE_BYTES = 1024
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._bssrdf.models import Bssrdf
+from ._slab.layers import Layers
 from .context import Context, default_context
-from .layers import Layers
-from .models import Bssrdf
 
 
 def bssrdf(model: str, layers: Layers, *, context: Context | None = None, **options: Any) -> Bssrdf:

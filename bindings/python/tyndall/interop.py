@@ -16,13 +16,13 @@ import ctypes
 from typing import Any, TypeVar
 
 from . import capi
-from ._cl import cl_buffer, cl_object
-from ._context import ContextHandle, context_options, create
-from ._fields import index
-from ._handles import Handle
-from .ledger import Ledger
-from .scene import Scene, mesh_choice, scene_of
-from .walk import walk_options
+from ._core.context import ContextHandle, context_options, create
+from ._core.fields import index
+from ._core.handles import Handle
+from ._core.opencl import cl_buffer, cl_object
+from ._scene.scene import Scene, mesh_choice, scene_of
+from ._walk.calls import walk_options
+from ._walk.ledger import Ledger
 
 _Self = TypeVar("_Self", bound="InteropCalls")
 

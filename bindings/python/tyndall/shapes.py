@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import array
+from ._core.arrays import array
 from .errors import InvalidArgumentError
 
 Shape = tuple[NDArray[np.float32], NDArray[np.uint32]]

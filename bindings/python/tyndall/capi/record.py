@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 from ctypes import Array, Structure, _SimpleCData, c_char_p, c_int32, c_size_t, c_uint32, c_uint64, sizeof
 from typing import Any, ClassVar
 
+from ..errors import InvalidArgumentError
+
 Signatures = Mapping[str, "tuple[Any, Sequence[Any]]"]
 
 # ctypes would take any integer and keep its lowest bits.
@@ -20,15 +22,15 @@ _LIMITS: Mapping[type[_SimpleCData[Any]], tuple[int, int]] = {
 
 
 def checked_integer(kind: type[_SimpleCData[Any]], name: str, value: Any) -> int:
-    """`value` as an integer that `kind` can hold; TypeError or ValueError with `name` otherwise."""
-    try:
-        number = value.__index__()
-    except AttributeError:
-        raise TypeError(f"{name} is {value!r}; it must be an integer") from None
+    """`value` as an integer that `kind` can hold; InvalidArgumentError with `name` otherwise."""
     low, high = _LIMITS[kind]
+    try:
+        number = int(value.__index__())
+    except (AttributeError, TypeError):
+        raise InvalidArgumentError(f"{name} is {value!r}; it must be an integer in [{low}, {high}]") from None
     if not low <= number <= high:
-        raise ValueError(f"{name} is {number}; it must be in [{low}, {high}]")
-    return int(number)
+        raise InvalidArgumentError(f"{name} is {number}; it must be an integer in [{low}, {high}]")
+    return number
 
 
 class Record(Structure):

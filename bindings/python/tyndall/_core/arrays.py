@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The Tyndall authors
+# SPDX-License-Identifier: Apache-2.0
+"""Numpy at the edges of the C API: what callers give becomes C-contiguous arrays of the right type and shape, without a copy
+where it is one already."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import InvalidArgumentError
+
+_POINTERS: dict[np.dtype[Any], Any] = {
+    np.dtype(np.float32): ctypes.POINTER(ctypes.c_float),
+    np.dtype(np.float64): ctypes.POINTER(ctypes.c_double),
+    np.dtype(np.uint32): ctypes.POINTER(ctypes.c_uint32),
+}
+
+
+def array(value: ArrayLike, name: str, dtype: Any = np.float32, shape: Sequence[int | None] | None = None) -> NDArray[Any]:
+    """`value` as a C-contiguous array of `dtype`: itself if it is one, else a copy. `shape`: what is allowed, None for a
+    length of any size. Errors name the argument."""
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind not in "biuf" and given.size > 0:
+            raise TypeError
+        with np.errstate(over="ignore", invalid="ignore"):  # what a float32 cannot hold is inf, which the library refuses
+            result = np.ascontiguousarray(given, dtype=dtype)
+        if result.dtype.kind in "iu" and given.dtype != result.dtype and np.any(result != given):
+            raise ValueError  # numpy would wrap and truncate
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidArgumentError(f"{name} must be numbers that fit {np.dtype(dtype).name}; it is {_shown(value)}") from None
+    if given.ndim == 0:
+        result = result.reshape(())
+    if shape is not None and (result.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, result.shape))):
+        wanted = " x ".join("n" if n is None else str(n) for n in shape) or "a single number"
+        raise InvalidArgumentError(f"{name} has the shape {given.shape}; it must be {wanted}")
+    return result
+
+
+def records(value: Any, name: str, dtype: np.dtype[Any]) -> NDArray[Any]:
+    """`value` as a one-dimensional, C-contiguous structured array of `dtype`, without a copy if it is one."""
+    given = np.asarray(value)
+    if given.dtype != dtype or given.ndim != 1:
+        raise InvalidArgumentError(
+            f"{name} must be a one-dimensional structured array of the dtype with the fields {', '.join(dtype.names or ())};"
+            f" it is {_shown(value)}"
+        )
+    return np.ascontiguousarray(given)
+
+
+def data(values: NDArray[Any] | None) -> Any:
+    """The pointer to an array's data that ctypes wants; None for None. The caller keeps the array alive."""
+    if values is None:
+        return None
+    return ctypes.cast(values.ctypes.data, _POINTERS[values.dtype])
+
+
+def record_data(values: NDArray[Any], record: type[ctypes.Structure]) -> Any:
+    """The pointer to the first of the records of a structured array."""
+    return ctypes.cast(values.ctypes.data, ctypes.POINTER(record))
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape} and type {value.dtype}"
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
