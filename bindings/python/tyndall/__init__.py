@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tyndall: subsurface scattering."""
 
-from . import exact, shapes
+from . import exact, plot, shapes
 from ._bssrdf.models import Bssrdf, BssrdfExits, BssrdfSamples, bssrdf_models
 from ._bssrdf.records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH
 from ._core.devices import Device, devices
@@ -73,6 +73,7 @@ __all__ = [
     "mie",
     "mie_cosines",
     "mie_lognormal",
+    "plot",
     "rayleigh_cross_section",
     "rays",
     "shapes",

@@ -48,7 +48,8 @@ def structured(
     result = np.zeros(shape, dtype)
     for member, part in parts.items():
         if member == "path":
-            result[member][..., 0], result[member][..., 1] = part[..., 0] & 0xFFFFFFFF, part[..., 0] >> 32
+            number: NDArray[np.uint64] = part[..., 0]
+            result[member][..., 0], result[member][..., 1] = number & np.uint64(0xFFFFFFFF), number >> np.uint64(32)
         else:
             result[member] = part if member in vectors else part[..., 0]
     return result
