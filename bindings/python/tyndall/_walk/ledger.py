@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import capi
+
 
 @dataclass(frozen=True, eq=False)
 class Ledger:
@@ -43,8 +45,12 @@ class Ledger:
     @classmethod
     def of(cls, record: Any) -> Ledger:
         """The sums of a TynLedger."""
-        values: dict[str, Any] = {}
-        for field in fields(cls):
-            value = getattr(record, field.name)
-            values[field.name] = value if isinstance(value, int) else np.array(value, np.float64)
-        return cls(**values)
+        sums = np.frombuffer(record, np.float64, 3 * len(_SUMS)).reshape(-1, 3).copy()
+        counts = (getattr(record, name) for name in _COUNTS)
+        return cls(*sums, *counts)
+
+
+# The fields in the record's order, sums before numbers.
+_SUMS = [field.name for field in fields(Ledger) if "walks" not in field.name and field.name != "scatterings"]
+_COUNTS = [field.name for field in fields(Ledger)][len(_SUMS) :]
+assert [*_SUMS, *_COUNTS] == [name for name, *_ in capi.TynLedger._fields_]
