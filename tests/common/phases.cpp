@@ -66,20 +66,27 @@ tyn::OwnedPhase mie_phase(double size_parameter, double n, double k, size_t coun
 }
 
 std::vector<PhaseCase> phase_cases() {
+  const auto owned = [](const TynPhase &phase) { return [phase] { return tyn::OwnedPhase(phase); }; };
   return {
-      {"Isotropic", tyn::OwnedPhase(of_kind(TYN_PHASE_ISOTROPIC))},
-      {"Rayleigh", tyn::OwnedPhase(of_kind(TYN_PHASE_RAYLEIGH))},
-      {"HenyeyGreensteinForward", tyn::OwnedPhase(henyey_greenstein_phase(0.95))},
-      {"HenyeyGreensteinBackward", tyn::OwnedPhase(henyey_greenstein_phase(-0.5))},
-      {"TwoLobes", tyn::OwnedPhase(two_lobe_phase(0.9, -0.5, 0.8))},
-      {"TwoLobesOnlySecond", tyn::OwnedPhase(two_lobe_phase(0.9, 0.3, 0))},
-      {"DraineCornetteShanks", tyn::OwnedPhase(draine_phase(0.7, 1))},
-      {"DraineBackward", tyn::OwnedPhase(draine_phase(-0.4, 20))},
-      {"DraineSquare", tyn::OwnedPhase(draine_phase(0, 1e6))},
-      {"TableCoarse", table({-1, -0.2, 0.1, 0.5, 1}, {1, 0, 0, 2, 5})},
-      {"TableOfTwo", table({-1, 1}, {3, 0})},
-      {"TableOfMie100", mie_phase(100, 1.33, 1e-5, 2000)},
-      {"TableOfMie3000", mie_phase(3000, 1.5, 0.01, 6000)}, // a peak 1e-3 wide
+      {"Isotropic", owned(of_kind(TYN_PHASE_ISOTROPIC))},
+      {"Rayleigh", owned(of_kind(TYN_PHASE_RAYLEIGH))},
+      {"HenyeyGreensteinForward", owned(henyey_greenstein_phase(0.95))},
+      {"HenyeyGreensteinBackward", owned(henyey_greenstein_phase(-0.5))},
+      {"TwoLobes", owned(two_lobe_phase(0.9, -0.5, 0.8))},
+      {"TwoLobesOnlySecond", owned(two_lobe_phase(0.9, 0.3, 0))},
+      {"DraineCornetteShanks", owned(draine_phase(0.7, 1))},
+      {"DraineBackward", owned(draine_phase(-0.4, 20))},
+      {"DraineSquare", owned(draine_phase(0, 1e6))},
+      {"TableCoarse",
+       [] {
+         return table({-1, -0.2, 0.1, 0.5, 1}, {1, 0, 0, 2, 5});
+       }},
+      {"TableOfTwo",
+       [] {
+         return table({-1, 1}, {3, 0});
+       }},
+      {"TableOfMie100", [] { return mie_phase(100, 1.33, 1e-5, 2000); }},
+      {"TableOfMie3000", [] { return mie_phase(3000, 1.5, 0.01, 6000); }}, // a peak 1e-3 wide
   };
 }
 

@@ -13,7 +13,8 @@ namespace tyn_test {
 
 struct PhaseCase {
   std::string name; // letters and digits
-  tyn::OwnedPhase phase;
+  // Made by the test that needs it: every process of a program lists all cases, and a table takes long.
+  std::function<tyn::OwnedPhase()> make;
 };
 
 TynPhase henyey_greenstein_phase(double g);

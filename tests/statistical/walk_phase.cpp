@@ -17,9 +17,11 @@ using namespace tyn_test;
 
 class WalkPhaseFunction : public testing::TestWithParam<PhaseCase> {
 protected:
+  const tyn::OwnedPhase phase = GetParam().make();
+
   TynMedium medium(float sigma_s) const {
     TynMedium result = grey_medium(0, sigma_s);
-    result.phase = &GetParam().phase.get();
+    result.phase = &phase.get();
     return result;
   }
 };
@@ -43,7 +45,7 @@ TEST_P(WalkPhaseFunction, IsFollowedByOneScattering) {
     }
     cosines.push_back(dot > 0 ? 1 - 0.5 * square : std::max(-1.0, dot));
   }
-  PhaseBins bins(GetParam().phase.get(), 100);
+  PhaseBins bins(phase.get(), 100);
   for (size_t i = 0; i + 1 < bins.shares.size();) // directions are rounded by 1e-7: angles below 1e-4 go together
     if (1 - bins.edges[i + 1] < 1e-8) {
       bins.shares[i] += bins.shares[i + 1];

@@ -62,11 +62,12 @@ TEST(PhaseDevice, DrawsWhatTheHostDraws) {
   const size_t count = 64 * 1024;
   for (const PhaseCase &item : phase_cases()) {
     SCOPED_TRACE(item.name);
+    const tyn::OwnedPhase phase = item.make();
     tyn::PhaseTables tables;
-    const TynPhaseRecord record = tables.add(item.phase.get());
+    const TynPhaseRecord record = tables.add(phase.get());
     const Drawn drawn = draw_on_device(context, record, tables.data, count);
     std::vector<double> cosines(count);
-    ASSERT_EQ(tyn_phase_sample(&item.phase.get(), 3, 0, count, cosines.data()), TYN_OK);
+    ASSERT_EQ(tyn_phase_sample(&phase.get(), 3, 0, count, cosines.data()), TYN_OK);
     size_t other = 0;
     for (size_t i = 0; i < count; i++) {
       const double away = 1 - cosines[i];

@@ -21,7 +21,8 @@ std::vector<double> sample(const TynPhase &phase, uint64_t seed, uint64_t first,
 
 class PhaseSamples : public testing::TestWithParam<PhaseCase> {
 protected:
-  const TynPhase &phase = GetParam().phase.get();
+  const tyn::OwnedPhase owned = GetParam().make();
+  const TynPhase &phase = owned.get();
 };
 
 // N = 1e6 in 100 bins of about equal share; false-alarm rate 1e-4 each.

@@ -26,7 +26,8 @@ std::vector<double> moments(const TynPhase &phase, size_t count) {
 
 class PhaseValues : public testing::TestWithParam<PhaseCase> {
 protected:
-  const TynPhase &phase = GetParam().phase.get();
+  const tyn::OwnedPhase owned = GetParam().make();
+  const TynPhase &phase = owned.get();
 };
 
 TEST_P(PhaseValues, IntegrateToOne) {
