@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.hpp"
+
 namespace tyn_test {
 
 namespace {
@@ -95,6 +97,12 @@ SceneHandle make_scene(TynContext *context, const MeshData &mesh, const TynMediu
   require(tyn_scene_add_mesh(scene.get(), &view, nullptr), "tyn_scene_add_mesh", context);
   require(tyn_scene_commit(scene.get()), "tyn_scene_commit", context);
   return scene;
+}
+
+std::vector<uint32_t> scene_cells(TynScene *scene) {
+  std::vector<uint32_t> cells(scene->buffers.cells.size() / sizeof(uint32_t));
+  scene->context.read(scene->buffers.cells, cells.data(), scene->buffers.cells.size());
+  return cells;
 }
 
 TynMeshInfo mesh_info(const TynScene *scene) {

@@ -31,6 +31,8 @@ TynMedium rgb_medium(const float (&sigma_a)[3], const float (&sigma_s)[3], float
 
 // A committed scene with mesh 0 filled with medium 0.
 SceneHandle make_scene(TynContext *context, const MeshData &mesh, const TynMedium &medium);
+// What the scene has on the device for distance_bound.clh and local_roots.clh.
+std::vector<uint32_t> scene_cells(TynScene *scene);
 TynMeshInfo mesh_info(const TynScene *scene);
 
 // An entry of weight 1 that leaves everything to the mesh.

@@ -10,7 +10,7 @@
 #include "common/embree_oracle.hpp"
 #include "common/walk_scene.hpp"
 #include "core/opencl_shim.hpp"
-#include "scene/distance_grid.hpp"
+#include "scene/scene.hpp"
 
 namespace tyn_kernel {
 #define global
@@ -56,9 +56,8 @@ void random_point(const tyn::Mesh &mesh, const TynMeshRecord &record, std::mt199
 
 Looks look(const MeshData &mesh, int count) {
   SceneHandle scene = make_scene(shared_context(), mesh, grey_medium(0, 40));
-  std::vector<TynMeshRecord> records = scene->mesh_records;
-  const std::vector<uint32_t> cells = tyn::build_distance_grids(scene->meshes, scene->medium_records, records);
-  const TynMeshRecord &record = records[0];
+  const std::vector<uint32_t> cells = scene_cells(scene.get());
+  const TynMeshRecord &record = scene->mesh_records[0];
   DistanceGrids distances;
   distance_grids_clear(&distances);
   distance_grids_set(&distances, 0, &record);

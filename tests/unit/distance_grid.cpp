@@ -9,7 +9,7 @@
 
 #include "common/embree_oracle.hpp"
 #include "common/walk_scene.hpp"
-#include "scene/distance_grid.hpp"
+#include "scene/scene.hpp"
 #include "walk/walk.hpp"
 
 namespace {
@@ -36,10 +36,9 @@ struct Grids {
   std::vector<TynMeshRecord> records;
   std::vector<uint32_t> cells;
 
-  explicit Grids(const MeshData &mesh) : scene(make_scene(shared_context(), mesh, grey_medium(0, 300))) {
-    records = scene->mesh_records;
-    cells = tyn::build_distance_grids(scene->meshes, scene->medium_records, records);
-  }
+  explicit Grids(const MeshData &mesh)
+      : scene(make_scene(shared_context(), mesh, grey_medium(0, 300))), records(scene->mesh_records),
+        cells(scene_cells(scene.get())) {}
 };
 
 // Three in four points anywhere in bounds a little too wide, the others near the surface.

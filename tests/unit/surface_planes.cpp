@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/walk_scene.hpp"
-#include "scene/distance_grid.hpp"
+#include "scene/scene.hpp"
 
 namespace {
 
@@ -32,10 +32,8 @@ struct Plane {
 class SurfacePlanes {
 public:
   explicit SurfacePlanes(const MeshData &mesh)
-      : scene(make_scene(shared_context(), mesh, grey_medium(0, 1))), record(scene->mesh_records[0]) {
-    std::vector<TynMeshRecord> records = scene->mesh_records;
-    cells = tyn::build_distance_grids(scene->meshes, scene->medium_records, records);
-  }
+      : scene(make_scene(shared_context(), mesh, grey_medium(0, 1))), record(scene->mesh_records[0]),
+        cells(scene_cells(scene.get())) {}
 
   // Points of the surface, many at corners and on edges.
   void check_surface(int count) {
@@ -94,7 +92,7 @@ private:
 
   SceneHandle scene;
   const TynMeshRecord record;
-  std::vector<uint32_t> cells;
+  const std::vector<uint32_t> cells;
   std::mt19937 random{3};
   std::uniform_real_distribution<double> uniform;
 };
