@@ -32,6 +32,15 @@ void draw_side(std::mt19937_64 &random, double sign, float (&normal)[3], float (
 
 } // namespace
 
+double transmittance(double cosine, double ior) {
+  const double sine = std::sqrt(1 - cosine * cosine) / ior;
+  if (sine >= 1)
+    return 0;
+  const double refracted = std::sqrt(1 - sine * sine);
+  const double s = 2 * cosine / (cosine + ior * refracted), p = 2 * cosine / (ior * cosine + refracted);
+  return ior * refracted / cosine * 0.5 * (s * s + p * p);
+}
+
 TynBssrdfPath plane_path(double r, double entry, double exit) {
   return {{0, 0, 0},        {0, 0, 1}, {float(std::sin(entry)), 0, float(-std::cos(entry))},
           {float(r), 0, 0}, {0, 0, 1}, {float(std::sin(exit)), 0, float(std::cos(exit))}};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tyndall authors
 // SPDX-License-Identifier: Apache-2.0
-// Paths for tyn_bssrdf_evaluate.
+// Paths for tyn_bssrdf_evaluate, and what of their light a flat surface lets through.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,10 @@
 #include "tyndall/tyndall_types.h"
 
 namespace tyn_test {
+
+// The part of unpolarized light that gets through a surface at the angle with this cosine, into a medium of the relative index
+// `ior`: Fresnel's equations with Snell's angles (Born & Wolf 1999, section 1.5.2).
+double transmittance(double cosine, double ior);
 
 // On the plane z = 0 at the distance r along x: light that arrives at the angle `entry` from the normal and leaves at the angle
 // `exit`, both towards +x, in radians.

@@ -29,16 +29,6 @@ double length(Vector a) { return std::sqrt(dot(a, a)); }
 Vector unit(Vector a) { return 1 / length(a) * a; }
 Vector vector(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
 
-// Fresnel's equations with Snell's angles (Born & Wolf 1999, section 1.5.2).
-double transmittance(double cosine, double ior) {
-  const double sine = std::sqrt(1 - cosine * cosine) / ior;
-  if (sine >= 1)
-    return 0;
-  const double refracted = std::sqrt(1 - sine * sine);
-  const double s = 2 * cosine / (cosine + ior * refracted), p = 2 * cosine / (ior * cosine + refracted);
-  return ior * refracted / cosine * 0.5 * (s * s + p * p);
-}
-
 // int_0^1 F(mu) mu^power dmu by the midpoint rule over a substitution that takes the root at the critical angle away.
 double moment(double ior, int power) {
   const double critical = ior < 1 ? std::sqrt(1 - ior * ior) : 0;

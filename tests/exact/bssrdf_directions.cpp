@@ -17,16 +17,6 @@ using namespace tyn_test;
 
 constexpr double pi = 3.14159265358979323846;
 
-// Fresnel's equations with Snell's angles (Born & Wolf 1999, section 1.5.2): the part of unpolarized light that gets through.
-double transmittance(double cosine, double ior) {
-  const double sine = std::sqrt(1 - cosine * cosine) / ior;
-  if (sine >= 1)
-    return 0;
-  const double refracted = std::sqrt(1 - sine * sine);
-  const double s = 2 * cosine / (cosine + ior * refracted), p = 2 * cosine / (ior * cosine + refracted);
-  return ior * refracted / cosine * 0.5 * (s * s + p * p);
-}
-
 // Of one channel, with an index of its own, outside or inside.
 BssrdfModel model_between(const NamedModel &named, double albedo, double ior, double above) {
   TynBssrdfOptions options = tyn_bssrdf_options();
