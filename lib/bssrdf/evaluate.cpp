@@ -6,6 +6,7 @@
 
 #include "bssrdf/bssrdf.hpp"
 #include "core/argument.hpp"
+#include "core/batch.hpp"
 #include "core/buffer_argument.hpp"
 #include "tyndall/tyndall_cl.h"
 
@@ -53,14 +54,10 @@ void require_paths(const TynBssrdfPath *paths, size_t count) {
     }
 }
 
-// Batches of what fits the memory, each with `values` floats an element.
-size_t batch_size(const TynContext &context, size_t count, size_t values) {
-  const uint64_t fits = std::min(context.memory_available(), context.largest_buffer()) / (values * sizeof(float));
-  const uint64_t batch = std::min<uint64_t>({count, std::max<uint64_t>(MOST / values, 1), fits});
-  if (batch == 0)
-    fail(TYN_ERROR_OUT_OF_MEMORY, "the memory limit leaves %llu bytes of device memory: not enough for one value",
-         static_cast<unsigned long long>(context.memory_available()));
-  return size_t(batch);
+// Batches of elements with `values` floats each.
+size_t value_batch(const TynContext &context, size_t count, size_t values) {
+  const size_t bytes = values * sizeof(float);
+  return batch_size(context, count, std::max<size_t>(MOST / values, 1), bytes, bytes, "value");
 }
 
 size_t item_count(const TynContext &context, size_t count) {
@@ -92,7 +89,7 @@ void launch_sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first, size_t coun
 template <class Input>
 void evaluate(TynBssrdf &bssrdf, const char *kernel, const Input *inputs, size_t count, uint32_t rows, float *values) {
   TynContext &context = bssrdf.context;
-  const size_t batch = batch_size(context, count, sizeof(Input) / sizeof(float) + rows);
+  const size_t batch = value_batch(context, count, sizeof(Input) / sizeof(float) + rows);
   Buffer in(context, batch * sizeof(Input), CL_MEM_READ_ONLY), out(context, batch * rows * sizeof(float));
   for_batches(count, batch, [&](size_t first, size_t size) {
     context.write(in, inputs + first, size * sizeof(Input));
@@ -106,7 +103,7 @@ void sample(TynBssrdf &bssrdf, uint64_t seed, uint64_t first_sample, size_t coun
             float *weights) {
   TynContext &context = bssrdf.context;
   const uint32_t rows = weights ? bssrdf.channels() : 0;
-  const size_t batch = batch_size(context, count, 2 + size_t(rows));
+  const size_t batch = value_batch(context, count, 2 + size_t(rows));
   Buffer radius_buffer(context, batch * sizeof(float)), pdf_buffer(context, batch * sizeof(float));
   Buffer weight_buffer(context, batch * rows * sizeof(float));
   for_batches(count, batch, [&](size_t first, size_t size) {

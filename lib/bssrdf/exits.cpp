@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bssrdf/bssrdf.hpp"
+#include "core/batch.hpp"
 #include "core/buffer_argument.hpp"
 #include "scene/scene.hpp"
 
@@ -50,21 +51,13 @@ void launch(const Draw &draw, uint64_t first, cl_mem entries, size_t count, cl_m
                         weights ? weights : exits, uint32_t(weights != nullptr));
 }
 
-size_t batch_size(const TynContext &context, size_t count, uint32_t rows) {
-  const uint64_t each = sizeof(TynBssrdfEntry) + sizeof(TynBssrdfExit) + rows * sizeof(float);
-  const uint64_t largest = context.largest_buffer() / std::max(sizeof(TynBssrdfExit), rows * sizeof(float));
-  const uint64_t batch = std::min<uint64_t>({count, MOST, context.memory_available() / each, largest});
-  if (batch == 0)
-    fail(TYN_ERROR_OUT_OF_MEMORY, "%llu bytes of device memory are left; one entry needs %llu",
-         static_cast<unsigned long long>(context.memory_available()), static_cast<unsigned long long>(each));
-  return size_t(batch);
-}
-
 void draw_on_host(const Draw &draw, uint64_t first, const TynBssrdfEntry *entries, size_t count, TynBssrdfExit *exits,
                   float *weights) {
   TynContext &context = draw.bssrdf.context;
   const uint32_t rows = weights ? draw.bssrdf.channels() : 0;
-  const size_t batch = batch_size(context, count, rows);
+  const size_t batch =
+      batch_size(context, count, MOST, sizeof(TynBssrdfEntry) + sizeof(TynBssrdfExit) + rows * sizeof(float),
+                 std::max(sizeof(TynBssrdfExit), rows * sizeof(float)), "entry");
   Buffer entry_buffer(context, batch * sizeof(TynBssrdfEntry), CL_MEM_READ_ONLY);
   Buffer exit_buffer(context, batch * sizeof(TynBssrdfExit));
   Buffer weight_buffer(context, batch * rows * sizeof(float));

@@ -3,6 +3,7 @@
 // The batch ray calls, on host pointers and on the caller's buffers.
 #include <algorithm>
 
+#include "core/batch.hpp"
 #include "core/buffer_argument.hpp"
 #include "scene/scene.hpp"
 
@@ -54,17 +55,6 @@ void launch_occluded(TynScene &scene, uint32_t mesh, cl_mem rays, size_t count, 
                        occluded);
 }
 
-// As many rays as the memory limit and the largest buffer allow, at most MAX_BATCH.
-size_t batch_size(const TynContext &context, size_t count, size_t result_size) {
-  const uint64_t available = context.memory_available() / (sizeof(TynRay) + result_size);
-  const uint64_t largest = context.largest_buffer() / std::max(sizeof(TynRay), result_size);
-  const uint64_t batch = std::min({uint64_t(count), uint64_t(MAX_BATCH), available, largest});
-  if (batch == 0)
-    fail(TYN_ERROR_OUT_OF_MEMORY, "the memory limit leaves %llu bytes of device memory: not enough for one ray",
-         static_cast<unsigned long long>(context.memory_available()));
-  return size_t(batch);
-}
-
 // Batch by batch: to the device, through `launch`, and back.
 template <class Result, class Launch>
 void run_batches(TynScene &scene, uint32_t mesh, const TynRay *rays, size_t count, Result *results, Launch launch) {
@@ -74,7 +64,8 @@ void run_batches(TynScene &scene, uint32_t mesh, const TynRay *rays, size_t coun
   if (count == 0)
     return;
   TynContext &context = scene.context;
-  const size_t batch = batch_size(context, count, sizeof(Result));
+  const size_t batch = batch_size(context, count, MAX_BATCH, sizeof(TynRay) + sizeof(Result),
+                                  std::max(sizeof(TynRay), sizeof(Result)), "ray");
   Buffer ray_buffer(context, batch * sizeof(TynRay), CL_MEM_READ_ONLY);
   Buffer result_buffer(context, batch * sizeof(Result), CL_MEM_WRITE_ONLY);
   for (size_t first = 0; first < count; first += batch) {

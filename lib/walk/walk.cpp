@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/batch.hpp"
 #include "core/buffer_argument.hpp"
 #include "tyndall/tyndall_cl.h"
 #include "walk/walk.hpp"
@@ -16,15 +17,6 @@ namespace {
 constexpr size_t largest_batch = 1 << 17;
 constexpr size_t bytes_per_walk = sizeof(TynWalkEntry) + sizeof(TynWalkExit) + sizeof(TynWalkTally);
 
-size_t batch_size(const TynContext &context, size_t count) {
-  uint64_t fits =
-      std::min<uint64_t>(context.memory_available() / bytes_per_walk, context.largest_buffer() / sizeof(TynWalkEntry));
-  if (fits == 0)
-    fail(TYN_ERROR_OUT_OF_MEMORY, "%llu bytes of device memory are left; one walk needs %zu",
-         static_cast<unsigned long long>(context.memory_available()), bytes_per_walk);
-  return static_cast<size_t>(std::min<uint64_t>(fits, std::min(count, largest_batch)));
-}
-
 void add_path_offset(TynWalkParameters &parameters, uint64_t first_path) {
   parameters.first_path[0] = static_cast<uint32_t>(first_path);
   parameters.first_path[1] = static_cast<uint32_t>(first_path >> 32);
@@ -33,7 +25,7 @@ void add_path_offset(TynWalkParameters &parameters, uint64_t first_path) {
 void walk_on_host(TynScene &scene, const TynWalkOptions &options, const TynWalkEntry *entries, size_t count,
                   TynWalkExit *exits, TynLedger &ledger) {
   TynContext &context = scene.context;
-  size_t batch = batch_size(context, count);
+  size_t batch = batch_size(context, count, largest_batch, bytes_per_walk, sizeof(TynWalkEntry), "walk");
   Buffer entry_buffer(context, batch * sizeof(TynWalkEntry), CL_MEM_READ_ONLY);
   Buffer exit_buffer(context, batch * sizeof(TynWalkExit));
   Buffer tally_buffer(context, batch * sizeof(TynWalkTally));
