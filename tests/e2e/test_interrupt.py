@@ -1,38 +1,27 @@
 # SPDX-FileCopyrightText: 2026 The Tyndall authors
 # SPDX-License-Identifier: Apache-2.0
 """Ctrl-C: the first finishes the pass and writes what is done, the second kills."""
-import json
 import os
 import signal
-import subprocess
 import time
 import unittest
 
-from tools import SKIN_LIKE, ToolTest, cube, exr_size, path_of, png_size, run
+from tools import SKIN_LIKE, ToolTest, cube, exr_size, png_size, run
 
 LIGHT = {"type": "point", "intensity": 0.01}
 
 
 class Interrupt(ToolTest):
-    def start(self, *arguments):
+    def setUp(self):
+        super().setUp()
         model = self.write("skin.glb", cube(extensions=SKIN_LIKE, lights=[LIGHT]))
         # Kernels are compiled first, so that the time below is spent rendering.
         run("tyndall-render", model, "-o", self.path("warm.exr"), "--spp", 1, "--width", 8, "-q")
         os.remove(self.path("warm.exr"))
-        command = [path_of("tyndall-render"), model, "-o", self.path("out.exr"), "--spp", "1000000", *arguments]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.kill)
-        return process
+        self.endless = ["tyndall-render", model, "-o", self.path("out.exr"), "--spp", "1000000"]
 
     def test_the_image_so_far_is_written(self):
-        process = self.start("--width", "48", "--height", "32", "--json", "--png", self.path("out.png"))
-        time.sleep(3)
-        self.assertIsNone(process.poll(), "it ended by itself")
-        process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, errors)
-        report = json.loads(output)
-        self.assertTrue(report["interrupted"])
+        report = self.interrupt(*self.endless, "--width", 48, "--height", 32, "--json", "--png", self.path("out.png"))
         self.assertGreater(report["samples"], 0)
         self.assertLess(report["samples"], 1000000)
         self.assertEqual(exr_size(self.path("out.exr")), (48, 32))
@@ -41,7 +30,7 @@ class Interrupt(ToolTest):
 
     def test_the_second_kills(self):
         # So large that the first pass, which is always finished, takes seconds.
-        process = self.start("--width", "2400", "--height", "2400")
+        process = self.start(*self.endless, "--width", 2400, "--height", 2400)
         time.sleep(1)
         process.send_signal(signal.SIGINT)
         time.sleep(0.3)

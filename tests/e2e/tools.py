@@ -54,11 +54,16 @@ class ToolTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
+    def start(self, tool, *arguments, env=None):
+        """A tool that runs, at most until the test ends."""
+        process = subprocess.Popen([path_of(tool), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, env=dict(os.environ, **(env or {})))
+        self.addCleanup(process.kill)
+        return process
+
     def interrupt(self, tool, *arguments):
         """Lets a tool run for three seconds, then interrupts it; the JSON report that it prints all the same."""
-        process = subprocess.Popen([path_of(tool), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   text=True)
-        self.addCleanup(process.kill)
+        process = self.start(tool, *arguments)
         time.sleep(3)
         self.assertIsNone(process.poll(), "it ended by itself")
         process.send_signal(signal.SIGINT)
