@@ -94,7 +94,7 @@ private:
   void report(double slice_fraction) {
     const double samples = stats_.samples + slice_fraction * slice_;
     ProgressState state;
-    state.samples = stats_.samples;
+    state.samples = static_cast<unsigned>(samples + 1e-6); // whole ones, also of a slice that is not over
     state.sample_goal = arguments_.samples;
     state.error = stats_.error;
     if (arguments_.samples)

@@ -90,6 +90,9 @@ class Render(ToolTest):
         self.assertNotIn("\r", result.stderr)
         self.assertNotIn("\x1b", result.stderr)
         self.assertEqual(len(result.stdout.splitlines()), 1)
+        for model in ((), ("--bssrdf", "normalized-diffusion")):
+            one = self.render(self.skin(lights=[LIGHT]), "--spp", 1, "--width", 16, *model).stderr.splitlines()
+            self.assertEqual(one[-1], "tyndall-render: 100 %, 1/1 samples")
 
     def test_the_same_seed_gives_the_same_bits_and_another_seed_does_not(self):
         model = self.skin(lights=[LIGHT])
