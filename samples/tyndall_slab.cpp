@@ -35,13 +35,13 @@ int body(int argc, char **argv) {
   const Stack stack(arguments);
   std::vector<TynAddingDoublingResult> exact;
   if (arguments.exact) // before the photons: what it refuses should not cost an hour
-    exact = solve_exactly(stack.slab(), arguments.options);
+    exact = solve_exactly(stack.slab(), arguments);
   const tool::Context context = tool::create_context(arguments.device);
   Results results;
   check(tyn_context_device(context.get(), &results.device), context.get());
   results.names = channel_names(arguments);
   tool::catch_interrupt();
-  simulate(kName, context.get(), stack.slab(), stack.options(), arguments.quiet, results);
+  simulate(kName, context.get(), stack.slab(), stack.options(), arguments, results);
   for (size_t c = 0; c < exact.size(); ++c)
     results.channels[c].exact = exact[c];
   write_outputs(arguments, results);

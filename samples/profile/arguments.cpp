@@ -5,7 +5,7 @@
 #include "common/help.hpp"
 #include "profile/radii.hpp"
 #include "slab/files.hpp"
-#include "slab/layers.hpp"
+#include "slab/layer_options.hpp"
 #include "slab/parse.hpp"
 
 #include <algorithm>
@@ -47,8 +47,8 @@ Examples:
 Models: standard-dipole, better-dipole, photon-beam-diffusion, multipole, normalized-diffusion, gaussians,
 single-scattering, quantized-diffusion, directional-dipole, exact. Slabs of finite thickness: multipole,
 gaussians, single-scattering. Several layers: multipole, if each is thicker than a reduced mean free path.
-Light arrives perpendicularly from air. R(r) and the albedo are per power that gets in: what the surface
-reflects is apart.
+exact takes mean cosines up to 0.999. Light arrives perpendicularly from air. R(r) and the albedo are per power
+that gets in: what the surface reflects is apart.
 
 Units: any one unit of length, by convention mm; coefficients in its inverse, R(r) in 1/mm^2. Lists give one
 value a spectral channel: --sigma-a 0.03,0.17,0.48. In --json a profile is a list of channels, each a list
@@ -66,23 +66,6 @@ struct Text {
   slab::LayerText layers;
   std::string models = "all", fit, gaussians, radii, photons, seed;
 };
-
-void add_layer_options(CLI::App &app, slab::LayerText &text) {
-  app.add_option("--sigma-a", text.sigma_a, "absorption coefficient, 1/length, one a channel")->type_name("A[,A...]");
-  app.add_option("--sigma-s", text.sigma_s, "scattering coefficient, 1/length, one a channel")->type_name("S[,S...]");
-  app.add_option("--g", text.g, "mean cosine of scattering, -1 to 1 (0)")->type_name("G");
-  app.add_option("--ior", text.ior, "refractive index, 1 to 4 (1)")->type_name("N");
-  app.add_option("--thickness", text.thickness, "thickness, or inf (inf)")->type_name("LENGTH");
-  app.add_option(
-         "--layer", text.layers,
-         "a layer, from the top (repeatable); thickness inf in the\nlast only; several channels: 0.1/0.2/0.3,...")
-      ->type_name("A,S,G,N,LENGTH")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--medium", text.medium,
-                 "a measured medium, in 1/mm, channels R G B\n(tyndall-info --media); --g, --ior as above override")
-      ->type_name("NAME");
-}
 
 void add_model_options(CLI::App &app, Text &text, Arguments &arguments) {
   app.add_option("--model", text.models,
@@ -216,7 +199,7 @@ void finish(const char *tool_name, const Text &text, Arguments &arguments) {
 bool parse_arguments(const char *tool_name, int argc, char **argv, Arguments &arguments) {
   CLI::App app(kAbout);
   Text text;
-  add_layer_options(app, text.layers);
+  slab::add_layer_options(app, text.layers);
   add_model_options(app, text, arguments);
   add_run_options(app, text, arguments);
   add_output_options(app, arguments);

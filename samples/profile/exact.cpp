@@ -77,7 +77,7 @@ void compare_with_exact(const char *tool_name, TynContext *context, const TynSla
   options.radial_max = rings.end;
   options.radial_bins = rings.bin_count;
   slab::Results photons;
-  slab::simulate(tool_name, context, slab, options, arguments.quiet, photons);
+  slab::simulate(tool_name, context, slab, options, arguments, photons);
   const double in = fraction_in(slab);
   const uint32_t quantity = arguments.transmitted ? TYN_SLAB_RADIAL_TRANSMITTANCE : TYN_SLAB_RADIAL_REFLECTANCE;
   results.interrupted = photons.interrupted;

@@ -29,6 +29,7 @@ struct PhaseArgument {
 
 struct Arguments {
   std::vector<LayerArgument> layers; // from the top
+  bool is_stack = false;             // given by --layer
   PhaseArgument phase;               // of the only layer
   std::string medium;                // preset that the only layer is; empty: none
   bool is_rgb = false;               // three channels that are red, green and blue

@@ -120,6 +120,7 @@ void read_stack(const LayerText &text, Arguments &arguments) {
   refuse_beside_layers("--phase", text.phase);
   if (text.layers.size() > kMostLayers)
     wrong("--layer", "given " + std::to_string(text.layers.size()) + " times", "1 to 64 layers");
+  arguments.is_stack = true;
   for (const std::string &layer : text.layers)
     arguments.layers.push_back(parse_layer(layer));
 }
@@ -163,7 +164,7 @@ void read_layers(const LayerText &text, Arguments &arguments) {
     read_single(text, arguments);
   else
     read_stack(text, arguments);
-  check_channels(arguments.layers, !text.layers.empty());
+  check_channels(arguments.layers, arguments.is_stack);
   check_thicknesses(arguments.layers);
 }
 

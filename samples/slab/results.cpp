@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "slab/results.hpp"
 
+#include "slab/messages.hpp"
+
 namespace slab {
 namespace {
 
@@ -31,11 +33,11 @@ void read_results(const TynSlabResult *handle, Results &results) {
   }
 }
 
-std::vector<TynAddingDoublingResult> solve_exactly(const TynSlab &slab, const TynSlabOptions &options) {
+std::vector<TynAddingDoublingResult> solve_exactly(const TynSlab &slab, const Arguments &arguments) {
   std::vector<TynAddingDoublingResult> solutions;
   TynAddingDoublingOptions exact = tyn_adding_doubling_options();
-  exact.incidence = options.incidence;
-  exact.angle = options.angle;
+  exact.incidence = arguments.options.incidence;
+  exact.angle = arguments.options.angle;
   for (exact.channel = 0; exact.channel < slab.channel_count; ++exact.channel) {
     TynAddingDoublingResult solution = {};
     solution.size = sizeof solution;
@@ -43,7 +45,7 @@ std::vector<TynAddingDoublingResult> solve_exactly(const TynSlab &slab, const Ty
     const TynStatus status = tyn_adding_doubling(&slab, &exact, &solution, nullptr, nullptr, message, sizeof message);
     if (status != TYN_OK)
       throw tool::Error(status == TYN_ERROR_INVALID_ARGUMENT ? tool::kUsage : tool::kFailed,
-                        std::string("--exact: ") + (*message ? message : tyn_status_string(status)));
+                        "--exact: " + in_options(*message ? message : tyn_status_string(status), arguments));
     solutions.push_back(solution);
   }
   return solutions;

@@ -36,7 +36,7 @@ using ResultHandle = std::unique_ptr<TynSlabResult, tool::Releaser<TynSlabResult
 void read_results(const TynSlabResult *handle, Results &results);
 
 // Runs adding-doubling for every channel. Needs no device.
-std::vector<TynAddingDoublingResult> solve_exactly(const TynSlab &slab, const TynSlabOptions &options);
+std::vector<TynAddingDoublingResult> solve_exactly(const TynSlab &slab, const Arguments &arguments);
 
 // Names of the channels: R, G, B, or their numbers.
 std::vector<std::string> channel_names(const Arguments &arguments);

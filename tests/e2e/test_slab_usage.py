@@ -38,7 +38,7 @@ class SlabUsage(ToolTest):
         text = self.check_succeeds(run("tyndall-slab", "--help", env={"OCL_ICD_VENDORS": "/nowhere"})).stdout
         for option in OPTIONS:
             self.assertIn(option, text)
-        for word in ("Examples:", "Units:", "Exit status:"):
+        for word in ("between -1 and 1", "Examples:", "Units:", "Exit status:"):
             self.assertIn(word, text)
         self.assertLessEqual(max(map(len, text.splitlines())), 120)
         version = self.check_succeeds(run("tyndall-slab", "--version", env={"OCL_ICD_VENDORS": "/nowhere"}))
@@ -68,6 +68,9 @@ class SlabUsage(ToolTest):
                 self.check_usage("--layer", good, "--layer", bad, word="--layer")
         self.check_usage("--layer", "1,1,0,1,inf", "--layer", good, word="--layer 1")
         self.check_usage(*["--layer", good] * 65, word="--layer")
+        for exact in ((), ("--exact",)):
+            self.check_fails(run("tyndall-slab", "--layer", good, "--layer", "1,1,0,1,1e21", *exact), 2, "--layer 2: thickness")
+            self.check_fails(run("tyndall-slab", *LAYER, "--thickness", "1e21", *exact), 2, "--thickness is 1e+21")
         for other in (("--sigma-a", "1"), ("--g", "0"), ("--thickness", "1"), ("--medium", "skin1"), ("--phase", "hg")):
             self.check_usage("--layer", good, *other, word=other[0])
 
