@@ -30,6 +30,17 @@ void write_outputs(const Arguments &arguments, const Results &results) {
     print_text(arguments, results);
 }
 
+// Of a run that was interrupted.
+void say_what_is_missing(const Arguments &arguments, const Results &results) {
+  std::string missing;
+  for (const std::string &model : results.missing)
+    missing += (missing.empty() ? "the model " : " and ") + model;
+  if (arguments.compare)
+    missing += std::string(missing.empty() ? "" : " and ") + "the comparison of --error";
+  if (!missing.empty())
+    std::fprintf(stderr, "%s: interrupted: without %s\n", kName, missing.c_str());
+}
+
 int body(int argc, char **argv) {
   Arguments arguments;
   if (!parse_arguments(kName, argc, argv, arguments))
@@ -42,8 +53,9 @@ int body(int argc, char **argv) {
   tool::check(tyn_context_device(context.get(), &results.device), context.get());
   results.channel_names = slab::channel_names(arguments);
   tool::catch_interrupt();
-  results.models = evaluate_models(kName, context.get(), stack.slab(), arguments, arguments.compare ? &rings : nullptr);
-  results.interrupted = tool::interrupted();
+  evaluate_models(kName, context.get(), stack.slab(), arguments, arguments.compare ? &rings : nullptr, results);
+  if (results.interrupted && !arguments.quiet)
+    say_what_is_missing(arguments, results);
   arguments.compare = arguments.compare && !results.interrupted;
   if (arguments.compare)
     compare_with_exact(kName, context.get(), stack.slab(), arguments, rings, results);

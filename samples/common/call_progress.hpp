@@ -14,7 +14,9 @@ namespace tool {
 
 class CallProgress {
 public:
-  CallProgress(const char *tool_name, bool quiet) : tool_name_(tool_name), quiet_(quiet) {}
+  // `what` is being made, where it is not the result.
+  CallProgress(const char *tool_name, bool quiet, const char *what = "")
+      : tool_name_(tool_name), quiet_(quiet), what_(what) {}
   ~CallProgress() {
     if (progress_)
       progress_->finish();
@@ -27,6 +29,7 @@ public:
     CallProgress &self = *static_cast<CallProgress *>(user);
     ProgressState state;
     state.fraction = fraction;
+    state.what = self.what_;
     // begun here, so that compiling kernels does not count as time for what the call does
     if (!self.progress_)
       self.progress_.emplace(self.tool_name_, self.quiet_);
@@ -37,6 +40,7 @@ public:
 private:
   const char *tool_name_;
   bool quiet_;
+  const char *what_;
   std::optional<Progress> progress_;
 };
 

@@ -50,11 +50,13 @@ void Progress::finish() {
   drawn_ = false;
 }
 
-// "29/64 samples, error 3.1 %, 12 s left"
+// "table of exact, 12 s left", "29/64 samples, error 3.1 %, 12 s left"
 std::string Progress::details(const ProgressState &state) const {
   char text[96] = "";
   std::string result;
   const auto append = [&](const std::string &part) { result += (result.empty() ? "" : ", ") + part; };
+  if (*state.what)
+    append(state.what);
   if (state.sample_goal)
     std::snprintf(text, sizeof text, "%u/%u samples", state.samples, state.sample_goal);
   else if (state.samples)

@@ -11,6 +11,7 @@ namespace tool {
 
 struct ProgressState {
   double fraction = 0.0;    // done, 0 .. 1
+  const char *what = "";    // that is being made, where it is not the result
   unsigned samples = 0;     // a pixel, so far; 0, without a goal: not what this tool counts
   unsigned sample_goal = 0; // 0: no goal
   double error = 0.0;       // relative standard error; 0: not known yet

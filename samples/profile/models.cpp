@@ -4,9 +4,11 @@
 
 #include "common/call_progress.hpp"
 #include "common/tool.hpp"
+#include "slab/messages.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 
@@ -31,9 +33,14 @@ bool is_needed(const Arguments &arguments, uint32_t model) {
          (arguments.layers.size() > 1 && model == TYN_BSSRDF_MULTIPOLE);
 }
 
-// Empty if the model does not take the layers and need not, or if Ctrl-C came.
-Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
-              uint32_t model) {
+// A model or, if it does not take the layers, why; neither if Ctrl-C came.
+struct Created {
+  Bssrdf bssrdf;
+  std::string refusal;
+};
+
+Created create(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
+               uint32_t model) {
   std::vector<double> weights, variances;
   for (size_t c = 0; c < arguments.channels(); ++c) {
     weights.insert(weights.end(), arguments.gaussian_weights.begin(), arguments.gaussian_weights.end());
@@ -49,22 +56,22 @@ Bssrdf create(const char *tool_name, TynContext *context, const TynSlab &slab, c
   TynBssrdf *bssrdf = nullptr;
   TynStatus status = TYN_OK;
   {
-    tool::CallProgress progress(tool_name, arguments.quiet); // of a table that the exact model makes
+    tool::CallProgress progress(tool_name, arguments.quiet, "table of exact"); // the only model that makes one
     options.progress = &tool::CallProgress::report;
     options.user = &progress;
     status = tyn_bssrdf_create(context, &slab, &options, &bssrdf);
   }
   if (status == TYN_ERROR_CANCELLED)
-    return nullptr;
-  const bool wrong = status == TYN_ERROR_INVALID_ARGUMENT;
-  if (wrong && !is_needed(arguments, model))
-    return nullptr;
-  if (wrong)
-    throw tool::Error(tool::kUsage,
-                      std::string("--model ") + tyn_bssrdf_model_name(model) + ": " + tyn_context_message(context));
+    return {};
+  if (status == TYN_ERROR_INVALID_ARGUMENT)
+    return {nullptr, slab::in_options(tyn_context_message(context), arguments)};
   tool::check(status, context);
-  return Bssrdf(bssrdf);
+  return {Bssrdf(bssrdf), ""};
 }
+
+struct Refusal {
+  std::string model, reason;
+};
 
 using Evaluation = decltype(&tyn_bssrdf_profile);
 
@@ -144,18 +151,30 @@ ModelResults evaluate(TynContext *context, TynBssrdf *bssrdf, const Arguments &a
 
 } // namespace
 
-std::vector<ModelResults> evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab,
-                                          const Arguments &arguments, const Rings *rings) {
+void evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
+                     const Rings *rings, Results &results) {
   const Quadrature quadrature = rings ? quadrature_of(*rings) : Quadrature();
-  std::vector<ModelResults> models;
+  std::vector<Refusal> refusals;
   for (const uint32_t model : arguments.models) {
-    const Bssrdf bssrdf = create(tool_name, context, slab, arguments, model);
-    if (!bssrdf)
-      continue;
-    models.push_back(evaluate(context, bssrdf.get(), arguments, quadrature));
-    models.back().name = tyn_bssrdf_model_name(model);
+    const std::string name = tyn_bssrdf_model_name(model);
+    const Created created = create(tool_name, context, slab, arguments, model);
+    if (created.bssrdf) {
+      results.models.push_back(evaluate(context, created.bssrdf.get(), arguments, quadrature));
+      results.models.back().name = name;
+    } else if (created.refusal.empty()) {
+      results.missing.push_back(name);
+    } else if (is_needed(arguments, model)) {
+      throw tool::Error(tool::kUsage, "--model " + name + ": " + created.refusal);
+    } else {
+      refusals.push_back({name, created.refusal});
+    }
   }
-  return models;
+  results.interrupted = tool::interrupted();
+  if (results.models.empty() && results.missing.empty())
+    throw tool::Error(tool::kUsage, "no model takes this: " + refusals.front().model + ": " + refusals.front().reason);
+  for (const Refusal &refusal : refusals)
+    if (!arguments.quiet)
+      std::fprintf(stderr, "%s: %s is left out: %s\n", tool_name, refusal.model.c_str(), refusal.reason.c_str());
 }
 
 } // namespace profile

@@ -9,8 +9,9 @@
 namespace profile {
 
 // Evaluates the models that are asked for at the radii and, if there are rings, over them. Models that do not take this layer
-// are left out of `all`, and wrong usage where they are named.
-std::vector<ModelResults> evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab,
-                                          const Arguments &arguments, const Rings *rings);
+// are wrong usage where they are named; of `all` they are left out, which is said on standard error, unless none is left. Sets
+// `interrupted` and `missing` if the user has had enough.
+void evaluate_models(const char *tool_name, TynContext *context, const TynSlab &slab, const Arguments &arguments,
+                     const Rings *rings, Results &results);
 
 } // namespace profile

@@ -37,7 +37,8 @@ struct Results {
   TynDeviceInfo device = {};
   std::vector<std::string> channel_names;
   std::vector<ModelResults> models;
-  ExactResults exact; // with --error
+  std::vector<std::string> missing; // models that Ctrl-C left no table for
+  ExactResults exact;               // with --error
 };
 
 } // namespace profile

@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import signal
 import unittest
 
 from tools import ToolTest, png_size, run
@@ -81,6 +82,13 @@ class Profile(ToolTest):
         self.assertTrue(0.8 < both < 1, both)
         named = self.report(*MEDIUM, "--model", "multipole,better-dipole")
         self.assertEqual(list(named["models"]), ["multipole", "better-dipole"])
+        said = self.check_succeeds(run("tyndall-profile", *MEDIUM, "--thickness", 2, "--radii", "0.1:5:9")).stderr.splitlines()
+        self.assertEqual([line.split()[1] for line in said],
+                         [model for model in HALF_SPACE_MODELS if model not in ("multipole", "single-scattering")])
+        for line in said:
+            self.assertRegex(line, r"^tyndall-profile: \S+ is left out: --thickness is 2; .* it must be inf$")
+        forward = run("tyndall-profile", *MEDIUM, "--g", 0.9995, "--radii", "0.1:5:9")
+        self.assertRegex(self.check_succeeds(forward).stderr, r"^tyndall-profile: exact is left out: .* at most 0.999\n$")
         white = self.report("--sigma-a", 0, "--sigma-s", 1, "--model", "better-dipole")
         self.assertAlmostEqual(white["models"]["better-dipole"]["albedo"][0], 1, places=6)
 
@@ -225,6 +233,19 @@ class Profile(ToolTest):
         self.report(*MEDIUM, "--error", "--photons", 1000)  # compiles the kernels
         report = self.interrupt("tyndall-profile", *MEDIUM, "--error", "--photons", "1e15", "--json", "-q")
         self.assertGreater(report["exact"]["photons"], 0)
+
+    def test_a_table_says_what_it_is_and_is_missing_when_interrupted(self):
+        process = self.start("tyndall-profile", "--sigma-a", 0.1, "--sigma-s", 0.9, "--radii", "0.1:10:5", "--error", "--json",
+                             env={"TYNDALL_CACHE_DIR": ""})  # so that a table is made
+        self.assertIn(" %, table of exact", process.stderr.readline())
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        if "of exact" not in errors and process.returncode == 0:
+            self.skipTest("this device had made it by then")
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertEqual(errors.splitlines()[-1],
+                         "tyndall-profile: interrupted: without the model exact and the comparison of --error")
+        self.assertEqual(list(json.loads(output)["models"]), HALF_SPACE_MODELS[:-1])
 
     # ---- outputs ----
 

@@ -32,7 +32,8 @@ class ProfileUsage(ToolTest):
 
     def test_help_names_every_option_model_units_and_examples(self):
         text = self.check_succeeds(run("tyndall-profile", "--help", env={"OCL_ICD_VENDORS": "/nowhere"})).stdout
-        for word in (*OPTIONS, *MODELS, "Examples:", "Units:", "Exit status:"):
+        for word in (*OPTIONS, *MODELS, "between -1 and 1", "exact takes mean cosines up to 0.999", "Examples:", "Units:",
+                     "Exit status:"):
             self.assertIn(word, text)
         self.assertLessEqual(max(map(len, text.splitlines())), 120)
         version = self.check_succeeds(run("tyndall-profile", "--version", env={"OCL_ICD_VENDORS": "/nowhere"}))
@@ -74,12 +75,14 @@ class ProfileUsage(ToolTest):
     def test_models_that_do_not_take_the_layer(self):
         for model in ("standard-dipole", "better-dipole", "photon-beam-diffusion", "normalized-diffusion"):
             result = run("tyndall-profile", *MEDIUM, "--thickness", 1, "--model", "multipole," + model)
-            self.check_fails(result, 2, "--model " + model, "thickness")
+            self.check_fails(result, 2, "--model " + model, "--thickness is 1", "must be inf")
         thin = ("--layer", "0,1,0,1,0.5", "--layer", "0,1,0,1,5")
         self.check_fails(run("tyndall-profile", *thin, "--model", "standard-dipole"), 2, "takes 1 layer")
         for models in ("all", "multipole"):
             result = run("tyndall-profile", *thin, "--model", models)
-            self.check_fails(result, 2, "--model multipole", "layers[0].thickness is 0.5 reduced mean free paths")
+            self.check_fails(result, 2, "--model multipole", "--layer 1: thickness is 0.5 reduced mean free paths")
+        dense = ("--sigma-a", 1e30, "--sigma-s", 1e30)
+        self.check_fails(run("tyndall-profile", *dense, "--model", "all", "--json"), 2, "no model", "it must be at most 1e+30")
         result = run("tyndall-profile", "--sigma-a", 0, "--sigma-s", 1, "--fit", "dmfp")
         self.check_fails(result, 2, "normalized-diffusion", "sigma_a")
 
