@@ -35,7 +35,7 @@ tyn::Program &TynContext::find_program(const char *program) {
 
 tyn::Program &TynContext::add_program(const tyn::KernelSource &source) {
   auto program =
-      std::make_unique<tyn::Program>(cl, device, source, tyn::build_options(device_info, device), cache_directory);
+      std::make_unique<tyn::Program>(cl, device, source, tyn::build_options(device_info, device), program_cache);
   return *(programs[source.name] = std::move(program));
 }
 

@@ -27,13 +27,9 @@ uint32_t choose_lanes(uint32_t wanted, uint32_t by_device) {
 }
 
 // PoCL keeps a disk cache of its own, down to the machine code, and asking it for a binary makes it
-// compile every kernel once more. So it shares ours only with those who name a folder.
-std::string choose_cache_directory(const char *wanted, cl_device_id device) {
-  if (wanted)
-    return wanted;
-  if (!std::getenv("TYNDALL_CACHE_DIR") && tyn::is_pocl(device))
-    return {};
-  return tyn::environment_cache_directory();
+// compile every kernel once more. So programs go to ours only for those who name a folder.
+bool keeps_programs(const char *wanted, cl_device_id device) {
+  return wanted || std::getenv("TYNDALL_CACHE_DIR") || !tyn::is_pocl(device);
 }
 
 template <class T>
@@ -102,7 +98,9 @@ void TynContext::setup(const TynContextOptions &options) {
   memory_limit = device_info.memory;
   if (options.memory_limit)
     memory_limit = std::min<uint64_t>(memory_limit, options.memory_limit);
-  cache_directory = choose_cache_directory(options.cache_directory, device);
+  cache_directory = options.cache_directory ? options.cache_directory : tyn::environment_cache_directory();
+  if (keeps_programs(options.cache_directory, device))
+    program_cache = cache_directory;
 }
 
 void TynContext::retain() { references.fetch_add(1, std::memory_order_relaxed); }

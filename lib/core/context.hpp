@@ -85,7 +85,7 @@ struct TynContext {
   // Bytes that may still be allocated under the memory limit, and the largest single buffer.
   uint64_t memory_available() const;
   uint64_t largest_buffer() const;
-  // Of what is kept between runs; "": nothing is.
+  // Of what is kept between runs beside compiled programs; "": nothing is.
   const std::string &cache_folder() const { return cache_directory; }
   bool is_gpu() const { return device_info.is_gpu != 0; }
   uint32_t lanes() const { return device_info.lane_width; }
@@ -137,6 +137,7 @@ private:
 
   std::atomic<uint32_t> references{1};
   std::string cache_directory; // "": no cache
+  std::string program_cache;   // the same, of compiled programs
   std::map<std::string, std::unique_ptr<tyn::Program>> programs;
   std::map<std::pair<std::string, std::string>, cl_kernel> kernels;
 };

@@ -59,6 +59,19 @@ protected:
   bool cancelling = false;
 };
 
+// Also where no folder is named, on PoCL, too, whose compiled kernels need none.
+TEST_F(ExactTables, AreKeptInTheUsersCacheByDefault) {
+  setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+  unsetenv("TYNDALL_CACHE_DIR");
+  tyn_context_release(context);
+  ASSERT_EQ(tyn_context_create(nullptr, &context), TYN_OK);
+  const std::vector<float> first = profile();
+  EXPECT_TRUE(made());
+  EXPECT_TRUE(fs::exists(folder / "tyndall"));
+  EXPECT_EQ(profile(), first);
+  EXPECT_FALSE(made());
+}
+
 TEST_F(ExactTables, AreMadeOnceAndReadAgain) {
   const std::vector<float> first = profile();
   EXPECT_TRUE(made());

@@ -33,8 +33,9 @@
  *   one thread at a time. What was put into a committed scene never changes. Progress callbacks arrive on the calling thread.
  * Environment
  *   TYNDALL_DEVICE     device index or part of its name, when the options name none
- *   TYNDALL_CACHE_DIR  folder of the compiled-kernel cache (default: $XDG_CACHE_HOME/tyndall, then ~/.cache/tyndall); empty: no
- *                      cache. PoCL keeps a cache of its own; on it this one is used only if a folder is named.
+ *   TYNDALL_CACHE_DIR  folder of compiled kernels and of tables (TYN_BSSRDF_EXACT); default: $XDG_CACHE_HOME/tyndall, then
+ *                      ~/.cache/tyndall; empty: nothing is kept. PoCL keeps compiled kernels itself; ours go into this folder
+ *                      only if one is named.
  */
 #ifndef TYNDALL_H
 #define TYNDALL_H

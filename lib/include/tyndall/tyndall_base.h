@@ -78,7 +78,7 @@ TYN_API TynStatus tyn_device_info(uint32_t index, TynDeviceInfo *info);
 typedef struct TynContextOptions {
   size_t size;        /* sizeof(TynContextOptions) */
   const char *device; /* device index or part of its name (case ignored); NULL: TYNDALL_DEVICE, else device 0 */
-  const char *cache_directory; /* folder for compiled kernels; NULL: see Environment; "": no cache */
+  const char *cache_directory; /* folder for compiled kernels and tables; NULL: see Environment; "": no cache */
   uint64_t memory_limit;   /* bytes of device memory that may be in use; 0: the device's own. Batches shrink to fit. */
   uint32_t lane_width;     /* 1, 4, 8 or 16 lanes; 0: by device. Results do not depend on it. */
   char *message;           /* where a failing tyn_context_create says why; may be NULL */
