@@ -19,6 +19,7 @@ constexpr double BARELY = 0.3;       // ... and f alone, there
 constexpr double WIDEST = 1.3;       // ratio of the borders of rings that are joined, near the centre twice as much ...
 constexpr double WIDEST_INNER = 2.1; // ... where the curve is flat
 constexpr size_t INNER = 24;         // rings that count as near the centre
+constexpr double ENOUGH = 0.5;       // part of all power that the points hold at least
 constexpr int MATCHES = 4;
 // Of the mean at the centre: fainter rings, which only the orders that were not counted reach, end where these were cut off
 // (albedo^n < 1e-13, at about 1e-26) and, farther out, where doubles do.
@@ -32,7 +33,7 @@ double dipole_log(double rate, double r) { return std::log1p(rate * r) - rate * 
 
 RingCurve::RingCurve(const std::vector<Ring> &rings) {
   join(rings);
-  if (points.size() < 4) {
+  if (points.size() < 4 || !holds_enough(rings)) {
     points.clear();
     return;
   }
@@ -62,6 +63,16 @@ void RingCurve::join(const std::vector<Ring> &rings) {
     points.push_back({joined.begin, joined.end, mean, relative, 0, 0});
     joined = {};
   }
+}
+
+// Not where counts are so few that only what is known without counting, as a faint rest, seems well known.
+bool RingCurve::holds_enough(const std::vector<Ring> &rings) const {
+  double all = 0, held = 0;
+  for (const Ring &ring : rings)
+    all += ring.power;
+  for (const Point &point : points)
+    held += point.mean * area(point.begin, point.end);
+  return held >= ENOUGH * all;
 }
 
 void RingCurve::place_points() {

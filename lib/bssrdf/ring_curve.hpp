@@ -34,6 +34,7 @@ private:
   };
 
   void join(const std::vector<Ring> &rings);
+  bool holds_enough(const std::vector<Ring> &rings) const;
   void place_points();
   void match_means();
   void fit_falloff();

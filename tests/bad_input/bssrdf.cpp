@@ -60,6 +60,7 @@ TEST(BadBssrdf, IsNotCreated) {
       {[](Problem &p) { p.options.fit = 3; }, "fit is 3"},
       {[](Problem &p) { p.options.model = TYN_BSSRDF_EXACT, p.layers[0].g = 0.9995; }, "takes at most 0.999"},
       {[](Problem &p) { p.options.model = TYN_BSSRDF_EXACT, p.options.exact_events = 1; }, "too few for a profile"},
+      {[](Problem &p) { p.options.model = TYN_BSSRDF_EXACT, p.options.exact_events = 10000; }, "too few for a profile"},
       {[](Problem &p) { p.options.exact_events = 0; }, "exact_events is 0"},
       {[](Problem &p) { p.options.exact_events = UINT64_MAX; }, "it must be in 1 .. 1e15"},
       {[](Problem &p) { p.options.transmitted = 2; }, "transmitted is 2"},

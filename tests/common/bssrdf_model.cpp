@@ -65,7 +65,7 @@ BssrdfModel half_space_model(uint32_t model, double albedo, double ior, double g
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = model;
   options.fit = fit;
-  options.exact_events = FEW_EVENTS;
+  options.exact_events = few_events(ior);
   // sigma_a + sigma_s (1 - g) = sigma_t
   ExactSlab slab({{(1 - albedo) * sigma_t, albedo * sigma_t / (1 - g), g, ior, INFINITY}});
   return BssrdfModel(slab.view(), options);

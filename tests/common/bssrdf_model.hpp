@@ -18,6 +18,8 @@ struct ReleaseBssrdf {
 };
 
 constexpr uint64_t FEW_EVENTS = 20000000; // of an exact table, where its precision does not matter
+// Behind a boundary of a high index light stays inside for long, and few walks reach their ends.
+constexpr uint64_t few_events(double ior) { return ior > 2 ? 5 * FEW_EVENTS : FEW_EVENTS; }
 
 struct BssrdfSamples {
   std::vector<float> radii, pdf, weights; // weights: channel by channel

@@ -21,7 +21,7 @@ constexpr double pi = 3.14159265358979323846;
 BssrdfModel model_between(const NamedModel &named, double albedo, double ior, double above) {
   TynBssrdfOptions options = tyn_bssrdf_options();
   options.model = named.model;
-  options.exact_events = FEW_EVENTS;
+  options.exact_events = few_events(ior);
   options.fit = named.fit;
   const double weights[] = {0.2, 0.3, 0.1}, variances[] = {0.01, 0.2, 4};
   options.gaussian_count = 3;
