@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Tyndall authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# packages.sh [plots|tests]: installs the Debian or Ubuntu packages that building and running Tyndall needs; with `plots`
-# also the optional one that the tools draw plots with, with `tests` that one and those of the test suite. Names what it
-# installs; does nothing when everything is there. As root or with sudo.
+# packages.sh [plots|python|tests]: installs the Debian or Ubuntu packages that building and running Tyndall needs; with
+# `plots` also the optional one that the tools draw plots with, with `python` what `pip install .` takes, with `tests` both
+# and those of the test suite. Names what it installs; does nothing when everything is there. As root or with sudo.
 set -euo pipefail
 
 build=(g++ cmake ninja-build pkgconf)
@@ -12,13 +12,16 @@ libraries=(ocl-icd-opencl-dev opencl-c-headers libembree-dev libeigen3-dev libti
   libcli11-dev nlohmann-json3-dev libmeshoptimizer-dev)
 device=(pocl-opencl-icd) # OpenCL on the processor; a GPU brings its own driver
 plots=(libcairo2-dev)
-tests=(libgtest-dev librandom123-dev python3 python3-venv)
+python=(python3 python3-venv)
+tests=(libgtest-dev librandom123-dev)
 optional=()
 if [ "${1:-}" = tests ]; then
-  build+=("${tests[@]}" "${plots[@]}")
+  build+=("${tests[@]}" "${plots[@]}" "${python[@]}")
   optional=(oclgrind libbenchmark-dev) # not in every distribution; what needs them is left out and says so
 elif [ "${1:-}" = plots ]; then
   build+=("${plots[@]}")
+elif [ "${1:-}" = python ]; then
+  build+=("${python[@]}")
 fi
 
 fail() {
