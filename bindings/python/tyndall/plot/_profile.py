@@ -108,9 +108,10 @@ def _decorate(ax: Any, model: Bssrdf, r: Any, highest: float) -> None:
     ax.set_ylabel(length_label("radiant exitance per unit of power, R", unit, -2))
     if r.size > 1:
         ax.set_xlim(r[0], r[-1])
-    low, high = ax.get_ylim()
+    low = ax.get_ylim()[0]
     if highest > 0:
-        ax.set_ylim(max(low, highest * 10.0**-_DECADES), max(high, highest * 1.5))
+        top = max(highest, *(float(np.max(line.get_ydata(), initial=0.0)) for line in ax.get_lines()))
+        ax.set_ylim(max(low, highest * 10.0**-_DECADES), top * 2)  # automatic margins are decades where a curve is steep
     plain_style(ax)
 
 
