@@ -37,7 +37,7 @@ def reflectance(name, sigma_a, reduced):
         return entering * np.average(model.profile(points)[..., 0], axis=0, weights=points)
 
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(12, 5.2), layout="constrained", width_ratios=(1.25, 1))
+figure, (left, right) = plt.subplots(1, 2, figsize=(12, 5.2), layout="constrained", gridspec_kw={"width_ratios": (1.25, 1)})
 left.errorbar(r, measured, 2 * sigma, fmt="o", color="0.55", markersize=3.5, label="measured, two standard deviations")
 print(f"{'':24}{'sigma_a (1/mm)':>20}{'sigma_s_prime (1/mm)':>24}{'chi2 per point':>16}")
 print(f"{'true':24}{TRUTH[0]:10.4f}{TRUTH[1]:22.4f}")

@@ -33,7 +33,7 @@ figure, (left, middle, right) = plt.subplots(1, 3, figsize=(16, 5), layout="cons
 for name, part in MELANOSOMES.items():
     melanin = ty.Medium(part * 6.6e10 * NM**-3.33 + (1 - part) * bloodless, skin, g=0.9, ior=1.4)
     layers = [ty.Layer(melanin, EPIDERMIS), dermis, ty.Layer(ty.Medium(bloodless, fat, g=0.9, ior=1.4))]
-    run, exact = context.slab(layers, photons=2e4, depth=(3.0, 600)), ty.adding_doubling(layers, tolerance=1e-4)
+    run, exact = context.slab(layers, photons=1.5e4, depth=(3.0, 600)), ty.adding_doubling(layers, tolerance=1e-4)
     walks = run.reflectance.diffuse  # without what the surface reflects like a mirror
     color = np.array(walks[[16, 10, 1]]) ** (1 / 2.2)  # its red, green and blue are those at 610, 550 and 460 nm
     left.plot(NM, exact.reflectance - exact.specular_reflectance, color=color, linewidth=9, label=name)

@@ -13,7 +13,7 @@ import numpy as np
 import tyndall as ty
 
 SIZE = 20.0  # mm
-PIXELS, SAMPLES = 112, 10  # more samples, less noise and more time
+PIXELS, SAMPLES = 104, 9  # more samples, less noise and more time
 LIGHT = (0.84, -0.5, 0.21)  # the direction it travels in, of unit length
 
 ball, triangles = ty.shapes.sphere(1.0, subdivisions=5)

@@ -13,7 +13,7 @@ import numpy as np
 
 import tyndall as ty
 
-WIDTH, HEIGHT, SAMPLES = 220, 220, 96
+WIDTH, HEIGHT, SAMPLES = 220, 220, 72
 CANDLE = [(0, 0), (18, 0), (19, 1), (19, 44), (18.5, 46), (17.3, 46.4), (15, 44.6), (9, 43), (0, 42.5)]  # radius, height in mm
 FLAME = [(0, 51), (2.4, 53), (3.4, 56.5), (2.8, 61), (1.4, 66), (0, 71)]
 WICK, TABLE = [(0, 43), (0.8, 43), (0.8, 52), (0, 52)], [(0, -5), (68, -5), (68, 0), (0, 0)]
