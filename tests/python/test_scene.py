@@ -339,12 +339,12 @@ def test_every_field_of_lights_and_environments_reaches_the_record() -> None:
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (lambda: ty.Light("laser"), "type is 'laser'; it must be one of: point, spot, directional"),
+        (lambda: ty.Light("laser"), 'type is \'laser\'; it must be one of "point", "spot", "directional"'),
         (lambda: ty.Light(position=(1, 2)), r"Light.position has the shape \(2,\); it must be 3"),
         (lambda: ty.Material(base_color="red"), "Material.base_color is 'red'; it must be numbers"),
         (lambda: ty.Material(metallic=(1, 2)), r"Material.metallic has the shape \(2,\); it must be a single number"),
         (lambda: ty.Material(normal_texture=-1), "image is -1; it must be an index"),
-        (lambda: ty.Texture(0, filter="cubic"), "filter is 'cubic'; it must be one of: linear, nearest"),
+        (lambda: ty.Texture(0, filter="cubic"), 'filter is \'cubic\'; it must be one of "linear", "nearest"'),
         (lambda: ty.Texture(transform=np.eye(3)), r"Texture.transform has the shape \(3, 3\); it must be 2 x 3"),
         (lambda: ty.Camera(yfov=None), "Camera.yfov is None; it must be numbers"),
         (lambda: ty.Camera.look_at((0, 0, 0), (0, 0, 0)), "do not make a view"),

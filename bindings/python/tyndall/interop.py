@@ -17,8 +17,8 @@ from typing import Any, TypeVar
 
 from . import capi
 from ._core.context import ContextHandle, context_options, create
-from ._core.fields import index
 from ._core.handles import Handle
+from ._core.numbers import index
 from ._core.opencl import cl_buffer, cl_object
 from ._scene.scene import Scene, mesh_choice, scene_of
 from ._walk.calls import walk_options

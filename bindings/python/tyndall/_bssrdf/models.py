@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_size_t, c_uint64
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,11 +15,11 @@ from .._core.arrays import array, data, record_data
 from .._core.choices import choice
 from .._core.context import ContextHandle
 from .._core.handles import Handle
+from .._core.numbers import UINT64, integer
 from .._core.opencl import cl_buffer
 from .._core.progress import LongCall, Progress
 from .._scene.scene import Scene
 from .._slab.layers import Layers, slab_record, stack
-from ..capi.record import checked_integer
 from ..errors import InvalidArgumentError
 from .records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH, structured
 
@@ -119,11 +118,11 @@ class Bssrdf(Handle):
         count: how many, >= 0. seed, first: >= 0, < 2^64; radius i is a function of seed and first + i alone.
         Where no channel has an albedo, all results are 0.
         """
-        n = checked_integer(c_size_t, "count", count)
+        n = integer(count, "count", 0, UINT64)
         radii, pdf, weights = np.empty(n, np.float32), np.empty(n, np.float32), np.empty((self.channels, n), np.float32)
         self._call(
-            capi.lib.tyn_bssrdf_sample, self.handle, checked_integer(c_uint64, "seed", seed),
-            checked_integer(c_uint64, "first", first), n, data(radii), data(pdf), data(weights),
+            capi.lib.tyn_bssrdf_sample, self.handle, integer(seed, "seed", 0, UINT64),
+            integer(first, "first", 0, UINT64), n, data(radii), data(pdf), data(weights),
         )  # fmt: skip
         return BssrdfSamples(radii, pdf, _by_point(weights, (n,)))
 
@@ -191,8 +190,8 @@ class Bssrdf(Handle):
         exits = np.zeros(given.shape, BSSRDF_EXIT)
         weights = np.empty((self.channels, given.size), np.float32)
         self._call(
-            capi.lib.tyn_bssrdf_sample_exits, self.handle, scene.handle, checked_integer(c_uint64, "seed", seed),
-            checked_integer(c_uint64, "first", first), record_data(given, capi.TynBssrdfEntry), given.size,
+            capi.lib.tyn_bssrdf_sample_exits, self.handle, scene.handle, integer(seed, "seed", 0, UINT64),
+            integer(first, "first", 0, UINT64), record_data(given, capi.TynBssrdfEntry), given.size,
             record_data(exits, capi.TynBssrdfExit), data(weights),
         )  # fmt: skip
         return BssrdfExits(exits, _by_point(weights, given.shape))
@@ -211,8 +210,8 @@ class Bssrdf(Handle):
         """`sample` into OpenCL buffers of float32: `count` radii and densities, and channels x count weights, channel by
         channel, or None. Enqueued on the context's queue; does not wait."""
         self._call(
-            capi.lib.tyn_bssrdf_sample_cl, self.handle, checked_integer(c_uint64, "seed", seed),
-            checked_integer(c_uint64, "first", first), checked_integer(c_size_t, "count", count), cl_buffer(radii, "radii"),
+            capi.lib.tyn_bssrdf_sample_cl, self.handle, integer(seed, "seed", 0, UINT64),
+            integer(first, "first", 0, UINT64), integer(count, "count", 0, UINT64), cl_buffer(radii, "radii"),
             cl_buffer(pdf, "pdf"), _optional_buffer(weights, "weights"),
         )  # fmt: skip
 
@@ -220,7 +219,7 @@ class Bssrdf(Handle):
         """`evaluate` on OpenCL buffers: `count` records BSSRDF_PATH, and channels x count float32, channel by channel.
         Enqueued on the context's queue; does not wait. The contents are not checked."""
         self._call(
-            capi.lib.tyn_bssrdf_evaluate_cl, self.handle, cl_buffer(paths, "paths"), checked_integer(c_size_t, "count", count),
+            capi.lib.tyn_bssrdf_evaluate_cl, self.handle, cl_buffer(paths, "paths"), integer(count, "count", 0, UINT64),
             cl_buffer(values, "values"),
         )  # fmt: skip
 
@@ -232,8 +231,8 @@ class Bssrdf(Handle):
         entry ends as TYN_BSSRDF_EXIT_LOST."""
         self._require_unit_of(scene)
         self._call(
-            capi.lib.tyn_bssrdf_sample_exits_cl, self.handle, scene.handle, checked_integer(c_uint64, "seed", seed),
-            checked_integer(c_uint64, "first", first), cl_buffer(entries, "entries"), checked_integer(c_size_t, "count", count),
+            capi.lib.tyn_bssrdf_sample_exits_cl, self.handle, scene.handle, integer(seed, "seed", 0, UINT64),
+            integer(first, "first", 0, UINT64), cl_buffer(entries, "entries"), integer(count, "count", 0, UINT64),
             cl_buffer(exits, "exits"), _optional_buffer(weights, "weights"),
         )  # fmt: skip
 
@@ -244,7 +243,7 @@ class Bssrdf(Handle):
         return _by_point(values, given.shape)
 
     def _of_buffers(self, function: Any, radii: Any, count: int, values: Any, name: str) -> None:
-        n = checked_integer(c_size_t, "count", count)
+        n = integer(count, "count", 0, UINT64)
         self._call(function, self.handle, cl_buffer(radii, "radii"), n, cl_buffer(values, name))
 
     def _require_unit_of(self, scene: Scene) -> None:

@@ -33,7 +33,7 @@ def array(value: ArrayLike, name: str, dtype: Any = np.float32, shape: Sequence[
         if result.dtype.kind in "iu" and given.dtype != result.dtype and np.any(result != given):
             raise ValueError  # numpy would wrap and truncate
     except (TypeError, ValueError, OverflowError):
-        raise InvalidArgumentError(f"{name} must be numbers that fit {np.dtype(dtype).name}; it is {_shown(value)}") from None
+        raise InvalidArgumentError(f"{name} must be numbers that fit {np.dtype(dtype).name}; it is {shown(value)}") from None
     if given.ndim == 0:
         result = result.reshape(())
     if shape is not None and (result.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, result.shape))):
@@ -48,7 +48,7 @@ def records(value: Any, name: str, dtype: np.dtype[Any]) -> NDArray[Any]:
     if given.dtype != dtype or given.ndim != 1:
         raise InvalidArgumentError(
             f"{name} must be a one-dimensional structured array of the dtype with the fields {', '.join(dtype.names or ())};"
-            f" it is {_shown(value)}"
+            f" it is {shown(value)}"
         )
     return np.ascontiguousarray(given)
 
@@ -65,7 +65,8 @@ def record_data(values: NDArray[Any], record: type[ctypes.Structure]) -> Any:
     return ctypes.cast(values.ctypes.data, ctypes.POINTER(record))
 
 
-def _shown(value: Any) -> str:
+def shown(value: Any) -> str:
+    """A value for a message, which arrays would fill."""
     if isinstance(value, np.ndarray):
         return f"an array of shape {value.shape} and type {value.dtype}"
     text = repr(value)

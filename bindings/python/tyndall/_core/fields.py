@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import ctypes
-import operator
 from collections.abc import Mapping
 from dataclasses import fields
 from types import SimpleNamespace
@@ -16,7 +15,8 @@ import numpy as np
 from .. import capi
 from ..capi.record import Record
 from ..errors import InvalidArgumentError
-from .arrays import _shown
+from .choices import choice
+from .numbers import decimal, index
 
 Numbers = Any
 """As many numbers as the field's comment says, or one for all of them; kept as a tuple of float."""
@@ -41,7 +41,8 @@ class Fields:
 
     def _from_caller(self, name: str, kind: Any, value: Any) -> Any:
         if name in self._NAMES:
-            return choice(value, name, self._NAMES[name])
+            choice(value, name, _numbered(self._NAMES[name]))
+            return value
         if name in self._INDICES:
             return None if value is None else index(value, name)
         if kind is ctypes.c_char_p:
@@ -95,33 +96,14 @@ class Fields:
         return plain(value)
 
 
-def index(value: Any, name: str) -> int:
-    """`value` as an index; InvalidArgumentError with `name` otherwise."""
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be an index") from None
-    if isinstance(value, bool) or not 0 <= number < capi.TYN_NONE:
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be an index, in [0, {capi.TYN_NONE - 1}]")
-    return number
-
-
-def choice(value: Any, name: str, names: tuple[str, ...]) -> str:
-    """`value` if it is among `names`."""
-    if value not in names:
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be one of: {', '.join(names)}")
-    return str(value)
-
-
-def decimal(value: float) -> float:
-    """The shortest decimal number that is a float of the C API's: 0.69, not 0.68999999."""
-    return float(str(np.float32(value)))
-
-
 def defaults(kind: type[Record]) -> Any:
     """What the C header's initializer of a record sets, in Python's own types."""
     record = kind()
     return SimpleNamespace(**{name: plain(getattr(record, name)) for name in kind._kinds()})
+
+
+def _numbered(names: tuple[str, ...]) -> dict[str, int]:
+    return {name: number for number, name in enumerate(names)}
 
 
 def plain(value: Any) -> Any:

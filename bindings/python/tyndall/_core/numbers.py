@@ -4,13 +4,18 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .. import capi
 from ..errors import InvalidArgumentError
-from .arrays import array
+from .arrays import array, shown
+
+UINT32 = (1 << 32) - 1
+UINT64 = (1 << 64) - 1
 
 
 def number(value: Any, name: str) -> float:
@@ -30,6 +35,22 @@ def integer(value: Any, name: str, low: int, high: int) -> int:
     if not low <= result <= high:
         raise InvalidArgumentError(f"{name} is {result}; it must be {text}")
     return result
+
+
+def index(value: Any, name: str) -> int:
+    """`value` as an index; InvalidArgumentError with `name` otherwise."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise InvalidArgumentError(f"{name} is {shown(value)}; it must be an index") from None
+    if isinstance(value, bool) or not 0 <= number < capi.TYN_NONE:
+        raise InvalidArgumentError(f"{name} is {value!r}; it must be an index, in [0, {capi.TYN_NONE - 1}]")
+    return number
+
+
+def decimal(value: float) -> float:
+    """The shortest decimal number that is a float of the C API's: 0.69, not 0.68999999."""
+    return float(str(np.float32(value)))
 
 
 def require(good: Any, name: str, values: Any, allowed: str) -> None:

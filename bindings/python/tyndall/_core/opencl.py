@@ -8,7 +8,7 @@ import operator
 from typing import Any
 
 from ..errors import InvalidArgumentError
-from .arrays import _shown
+from .arrays import shown
 
 
 def cl_object(value: Any, name: str) -> int:
@@ -20,7 +20,7 @@ def cl_object(value: Any, name: str) -> int:
     except TypeError:
         address = 0
     if address <= 0:
-        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be an object of pyopencl's, or the address of OpenCL's")
+        raise InvalidArgumentError(f"{name} is {shown(value)}; it must be an object of pyopencl's, or the address of OpenCL's")
     return address
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from .._core.arrays import array
-from .._core.numbers import number, require
+from .._core.numbers import decimal, number, require
 from .._core.status import error_of
 from ..errors import InvalidArgumentError
 from .colors import albedo_from_color
@@ -108,10 +108,10 @@ class Medium:
         if capi.lib.tyn_medium_preset(name.encode(), metres_per_unit, ctypes.byref(record)) != capi.TYN_OK:
             raise InvalidArgumentError(f"metres_per_unit is {metres_per_unit}; it must be > 0 and finite")
         return cls(
-            [_decimal(one) for one in record.sigma_a],
-            [_decimal(one) for one in record.sigma_s],
+            [decimal(one) for one in record.sigma_a],
+            [decimal(one) for one in record.sigma_s],
             g=record.g,
-            ior=_decimal(record.ior),
+            ior=decimal(record.ior),
             name=name,
             metres_per_unit=metres_per_unit,
         )
@@ -266,8 +266,3 @@ def _coefficients(values: NDArray[np.float64], name: str) -> NDArray[np.float64]
     own = np.array(values)
     own.flags.writeable = False
     return own
-
-
-def _decimal(value: float) -> float:
-    """The double that a table printed, of the float that the C API holds: 0.74, not 0.74000001."""
-    return float(str(np.float32(value)))

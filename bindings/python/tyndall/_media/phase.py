@@ -14,12 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from .._core.arrays import array, data
-from .._core.numbers import integer, require, shaped
+from .._core.numbers import UINT64, integer, require, shaped
 from .._core.status import error_of
 from ..errors import InvalidArgumentError
 from .mie import MIE_LARGEST, check_lognormal, mie, mie_cosines, mie_lognormal
 
-_UINT64 = (1 << 64) - 1
 _MOST_NUMBERS = 1 << 40
 
 
@@ -132,7 +131,7 @@ class Phase:
         """`count` cosines drawn with the density `pdf`, by the code that the device runs, in single precision. Cosine i
         depends on seed and first + i alone, each in [0, 2^64)."""
         result = np.empty(integer(count, "count", 0, _MOST_NUMBERS))
-        numbers = integer(seed, "seed", 0, _UINT64), integer(first, "first", 0, _UINT64)
+        numbers = integer(seed, "seed", 0, UINT64), integer(first, "first", 0, UINT64)
         _check(capi.lib.tyn_phase_sample(ctypes.byref(self._record), *numbers, len(result), data(result)))
         return result
 

@@ -16,11 +16,11 @@ from .._bssrdf.models import model_choice
 from .._core.arrays import data
 from .._core.choices import choice
 from .._core.handles import Handle
+from .._core.numbers import UINT32, integer
 from .._core.progress import LongCall, Progress
 from .._scene.camera import Camera
 from .._scene.scene import Scene
 from .._walk.ledger import Ledger
-from ..capi.record import checked_integer
 from ..errors import InvalidArgumentError, InvalidOperationError
 
 LAYERS: dict[str, int] = {capi.lib.tyn_layer_name(layer).decode(): layer for layer in range(capi.TYN_LAYER_COUNT)}
@@ -114,7 +114,7 @@ class Renderer(Handle):
         with fewer samples, as does an exception that `progress` raises.
         """
         budget = capi.TynRenderBudget(
-            samples=checked_integer(ctypes.c_uint32, "spp", spp), seconds=float(seconds), target_error=float(target_error)
+            samples=integer(spp, "spp", 0, UINT32), seconds=float(seconds), target_error=float(target_error)
         )
         with LongCall(progress, "render") as call:
             budget.progress = call.callback

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import capi
-from .._core.arrays import _shown
+from .._core.arrays import shown
 from .._core.context import ContextHandle
-from .._core.fields import decimal, index
+from .._core.numbers import decimal, index
 from .._media.medium import Medium
 from .._media.phase import Phase
 from ..errors import InvalidArgumentError
@@ -226,7 +226,7 @@ def mesh_choice(mesh: int | None) -> int:
 
 def _require(value: object, name: str, kind: type) -> None:
     if not isinstance(value, kind):
-        raise InvalidArgumentError(f"{name} is {_shown(value)}; it must be a tyndall.{kind.__name__}")
+        raise InvalidArgumentError(f"{name} is {shown(value)}; it must be a tyndall.{kind.__name__}")
 
 
 def _phase(record: Any) -> Phase:

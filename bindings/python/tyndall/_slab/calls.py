@@ -11,7 +11,7 @@ from .. import capi
 from .._core.arrays import data
 from .._core.choices import choice
 from .._core.context import ContextHandle
-from .._core.numbers import integer, number
+from .._core.numbers import UINT32, UINT64, integer, number
 from .._core.progress import LongCall, Progress
 from ..errors import CancelledError, InvalidArgumentError
 from .layers import INCIDENCES, Layers, slab_record, stack
@@ -20,8 +20,6 @@ from .results import SlabResult
 from .sweep import Sweep, sweep_coefficients
 
 _BEAMS = {"pencil": capi.TYN_BEAM_PENCIL, "disc": capi.TYN_BEAM_DISC, "gaussian": capi.TYN_BEAM_GAUSSIAN}
-_UINT64 = (1 << 64) - 1
-_UINT32 = (1 << 32) - 1
 _MOST_BINS = 1000000
 _MOST_PHOTONS = 10**15
 _DEFAULT_PHOTONS = 1000000
@@ -100,8 +98,8 @@ class SlabCalls(ContextHandle):
             photons=_photons(photons, seconds, target_error),
             seconds=_limit(seconds, "seconds"),
             target_error=_limit(target_error, "target_error"),
-            seed=integer(seed, "seed", 0, _UINT64),
-            max_order=0 if max_order is None else integer(max_order, "max_order", 1, _UINT32),
+            seed=integer(seed, "seed", 0, UINT64),
+            max_order=0 if max_order is None else integer(max_order, "max_order", 1, UINT32),
             roulette_threshold=number(roulette_threshold, "roulette_threshold"),
             angular_bins=_bins(angular, "angular"),
             radial_angular=int(bool(radial_angular)),

@@ -106,7 +106,8 @@ def _kinds(kind: ArrayLike) -> NDArray[np.uint32]:
         numbers[names == name] = number
     if np.any(numbers == NONE):
         wrong = names[numbers == NONE].reshape(-1)[0]
-        raise InvalidArgumentError(f"kind is {wrong!r}; it must be one of: {', '.join(KINDS)}")
+        allowed = ", ".join(f'"{name}"' for name in KINDS)
+        raise InvalidArgumentError(f"kind is {wrong!r}; it must be one of {allowed}")
     return numbers
 
 

@@ -10,11 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import capi
+from .._core.choices import choice
 from .._core.dtypes import WALK_EXIT
-from .._core.fields import choice
 from .ledger import Ledger
 
-STATUSES = ("escaped", "absorbed", "capped", "leaked", "lost", "reflected")
+STATUSES = {
+    "escaped": capi.TYN_WALK_ESCAPED,
+    "absorbed": capi.TYN_WALK_ABSORBED,
+    "capped": capi.TYN_WALK_CAPPED,
+    "leaked": capi.TYN_WALK_LEAKED,
+    "lost": capi.TYN_WALK_LOST,
+    "reflected": capi.TYN_WALK_REFLECTED,
+}
 
 
 class Exits(np.ndarray[Any, np.dtype[Any]]):
@@ -46,14 +53,10 @@ class Exits(np.ndarray[Any, np.dtype[Any]]):
         exactly 0. "capped": reached max_scatterings, or is trapped by total reflection. "leaked": left the bounds of the mesh
         without crossing a triangle, a hole. "lost": a number became NaN or infinite. "reflected": of kind "refract", and
         nothing was transmitted."""
-        number = STATUSES.index(choice(status, "status", STATUSES))
-        mask: NDArray[np.bool_] = self["status"] == number
+        mask: NDArray[np.bool_] = self["status"] == choice(status, "status", STATUSES)
         return mask
 
 
 def room_for(count: int) -> Exits:
     """Exits that a call will fill."""
     return np.empty(count, WALK_EXIT).view(Exits)
-
-
-assert STATUSES.index("reflected") == capi.TYN_WALK_REFLECTED
