@@ -134,11 +134,12 @@ def _check_fit_medium(printed: str, folder: pathlib.Path) -> None:
 
 
 def _check_layered_skin(printed: str, folder: pathlib.Path) -> None:
-    rows = _rows(printed, rf"^(\w+) skin +at 550 nm: {NUMBER} ± {NUMBER}, by adding and doubling {NUMBER}$")
-    assert [row[0] for row in rows] == ["dark", "tanned", "light"]
-    walks, error, exact = np.array([row[1:] for row in rows], float).T
+    rows = _rows(printed, rf"^(\w+) skin +at (\d+) nm: {NUMBER} ± {NUMBER}, by adding and doubling {NUMBER}$")
+    assert [row[:2] for row in rows] == [[skin, nm] for skin in ("dark", "tanned", "light") for nm in ("550", "650")]
+    walks, error, exact = np.array([row[2:] for row in rows], float).T
     assert np.all(np.abs(walks - exact) < 4 * error + 1e-4) and np.all(error < 0.02 * exact + 1e-3)
-    assert 0.02 < exact[0] < 0.06 < exact[1] < 0.2 < exact[2] < 0.4
+    green, red = exact[::2], exact[1::2]
+    assert 0.02 < green[0] < 0.06 < green[1] < 0.2 < green[2] < 0.4 and np.all(red > 1.2 * green)
 
 
 def _check_presets(printed: str, folder: pathlib.Path) -> None:

@@ -34,12 +34,13 @@ for name, part in MELANOSOMES.items():
     melanin = ty.Medium(part * 6.6e10 * NM**-3.33 + (1 - part) * bloodless, skin, g=0.9, ior=1.4)
     layers = [ty.Layer(melanin, EPIDERMIS), dermis, ty.Layer(ty.Medium(bloodless, fat, g=0.9, ior=1.4))]
     run, exact = context.slab(layers, photons=1.5e4, depth=(3.0, 600)), ty.adding_doubling(layers, tolerance=1e-4)
-    walks = run.reflectance.diffuse  # without what the surface reflects like a mirror
+    # without what the surface reflects like a mirror
+    walks, solved = run.reflectance.diffuse, exact.reflectance - exact.specular_reflectance
     color = np.array(walks[[16, 10, 1]]) ** (1 / 2.2)  # its red, green and blue are those at 610, 550 and 460 nm
-    left.plot(NM, exact.reflectance - exact.specular_reflectance, color=color, linewidth=9, label=name)
+    left.plot(NM, solved, color=color, linewidth=9, label=name)
     left.errorbar(NM, walks, 2 * walks.stderr, fmt=".", color="black", markersize=3, linewidth=1)
-    solved = exact.reflectance[10] - exact.specular_reflectance[10]
-    print(f"{name:12} at 550 nm: {walks[10]:.4f} ± {walks.stderr[10]:.4f}, by adding and doubling {solved:.4f}")
+    for at in (10, 20):
+        print(f"{name:12} at {NM[at]} nm: {walks[at]:.4f} ± {walks.stderr[at]:.4f}, by adding and doubling {solved[at]:.4f}")
 heat = middle.pcolormesh(NM, run.depth.centers, run.depth.absorbed, norm=LogNorm(), cmap="inferno", shading="nearest")
 figure.colorbar(heat, ax=middle, label="part of the light that is absorbed, per depth (1/mm)")
 colors = ("#f2cf7a", "#c8453b", "#8a5a3c", "#e3ebf5")
