@@ -177,9 +177,16 @@ def test_depth_and_samples_have_a_bar(picture: ty.Image) -> None:
     assert np.all(drawn.get_array() == 2)
 
 
+def test_pixels_are_drawn_as_the_layer_is(picture: ty.Image) -> None:
+    drawn = [plot.image(one, tone="aces", exposure=1.0).images[0].get_array() for one in (picture, picture.beauty)]
+    assert np.array_equal(*drawn)
+
+
 def test_bad_pictures(picture: ty.Image) -> None:
     for call, message in (
-        (lambda: plot.image(picture.beauty), "must be a tyndall.Image"),
+        (lambda: plot.image(picture.beauty[..., 0]), "must be a tyndall.Image, or pixels"),
+        (lambda: plot.image(picture.depth), "height x width x 3 or 4"),
+        (lambda: plot.image("beauty"), "img is 'beauty'"),
         (lambda: plot.image(picture, "beuty"), "layer is 'beuty'"),
         (lambda: plot.image(picture, tone="filmic"), "tone is 'filmic'"),
         (lambda: plot.image(picture, exposure=np.nan), "exposure is nan"),

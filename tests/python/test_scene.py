@@ -118,7 +118,7 @@ def test_a_scene_is_described(context: ty.Context) -> None:
             info.light_count,
             info.camera_count,
         )
-        assert counts == (2, 1, 1, 1, 1, 1)
+        assert counts == (2, 1, 2, 1, 1, 1)
         assert info.triangle_count == 24 and info.emissive_triangle_count == 12 and info.has_environment is True
         assert info.metres_per_unit == 0.01 == scene.metres_per_unit
         assert np.array_equal(info.lower, [-0.5] * 3) and np.array_equal(info.upper, [3.5] * 3)
@@ -277,7 +277,8 @@ def test_the_same_objects_are_added_once(scene: ty.Scene) -> None:
     assert scene.add_mesh(*BOX, medium=other, material=glass) == 1
     assert scene.add_mesh(*BOX, medium=milk) == 2
     assert scene.add_medium(milk) == 0 and scene.add_material(glass) == 0
-    assert (scene.info.medium_count, scene.info.material_count) == (2, 1)
+    assert (scene.info.medium_count, scene.info.material_count) == (2, 2)
+    assert [scene.mesh_info(mesh).material for mesh in range(3)] == [0, 0, 1]
     assert [scene.mesh_info(mesh).medium for mesh in range(3)] == [0, 1, 0]
 
 
@@ -529,3 +530,21 @@ def test_a_scene_keeps_its_context() -> None:
 def test_bad_units_are_refused(context: ty.Context, unit: float) -> None:
     with pytest.raises(InvalidArgumentError, match="metres_per_unit is"):
         context.scene(unit)
+
+
+def test_a_mesh_with_a_medium_lets_light_in_unless_told_otherwise(context: ty.Context) -> None:
+    """In constant light a white, index-matched box is as bright as what is around it, all of it by walks: the layer subsurface
+    is the beauty. An opaque box has none."""
+    pictures = []
+    for material in (None, ty.Material(base_color=0.5)):
+        with context.scene() as scene:
+            scene.add_mesh(*BOX, medium=ty.Medium(0, 3), material=material)
+            scene.set_environment(ty.Environment(radiance=1.0, hidden_from_camera=True))
+            scene.commit()
+            pictures.append(context.render(scene, width=8, height=8, spp=64))
+    clear, opaque = pictures
+    inside = clear.beauty[..., 3] == 1
+    assert inside.sum() > 4
+    assert np.allclose(clear.beauty[inside][:, :3], clear.subsurface[inside], atol=1e-6)
+    assert clear.subsurface[inside].mean() == pytest.approx(1.0, abs=0.03)
+    assert not opaque.subsurface.any()

@@ -95,7 +95,9 @@ class Bssrdf(Handle):
     def profile(self, radii: ArrayLike) -> NDArray[np.float32]:
         """R(r), 1/length^2.
 
-        radii: length, > 0 and finite; of any shape. Returns an array of that shape x channels. Accurate to 1e-5.
+        radii: length, > 0 and finite; of any shape. Returns an array of that shape x channels, accurate to 1e-5: in single
+        precision. (So derivatives by finite differences, as in fits, need steps of 1e-3 or so.) Of light that gets in: of
+        what arrives, the surface reflects a part (specular reflectance), which is not in R.
         """
         return self._of_radii(capi.lib.tyn_bssrdf_profile, radii)
 
@@ -300,7 +302,7 @@ class BssrdfCalls(ContextHandle):
         options = capi.TynBssrdfOptions(
             model=model_choice(model), fit=choice(fit, "fit", _FITS), transmitted=int(bool(transmitted)),
             gaussian_count=0 if weights is None else weights.shape[1], gaussian_weights=data(weights),
-            gaussian_variances=data(variances), exact_events=exact_events,
+            gaussian_variances=data(variances), exact_events=integer(exact_events, "exact_events", 1, UINT64),
         )  # fmt: skip
         pointer = ctypes.POINTER(capi.TynBssrdf)()
         with LongCall(progress, "tables") as call:

@@ -44,6 +44,7 @@ class Scene(SceneFiles):
         self._context = context
         self._metres_per_unit = float(metres_per_unit)
         self._committed = False
+        self._clear: dict[int, Material] = {}  # by medium
         self._known: dict[int, tuple[object, int]] = {}  # by id: media and materials that were added, and their indices
 
     @property
@@ -105,7 +106,9 @@ class Scene(SceneFiles):
         normals: n x 3, shading normals (normalized); one that is 0 becomes the mean of the triangles around.
         uvs: n x 2, texture coordinates.
         medium: what is inside: its index, or a Medium, which is added first; None: the mesh is opaque.
-        material: of all triangles: its index, or a Material, which is added first; None: a default one.
+        material: of all triangles: its index, or a Material, which is added first. None: where there is a medium, one through
+            which all light gets in that its interface does not reflect, of the medium's index of refraction
+            (`Material(transmission=1, ior=medium.ior)`); else a default one, which is opaque.
         triangle_materials: m indices, one a triangle, instead of `material`; NONE is a default one.
         name: may be None.
 
@@ -115,6 +118,8 @@ class Scene(SceneFiles):
         record = mesh_record(positions, triangles, normals, uvs, triangle_materials, name=name)
         if medium is not None:
             record.medium = self.add_medium(medium) if isinstance(medium, Medium) else index(medium, "medium")
+        if material is None and triangle_materials is None and record.medium < self.info.medium_count:
+            material = self._clear_material(record.medium)
         if material is not None:
             record.material = self.add_material(material) if isinstance(material, Material) else index(material, "material")
         return self._add(capi.lib.tyn_scene_add_mesh, record)
@@ -185,6 +190,10 @@ class Scene(SceneFiles):
         result = ctypes.c_uint32()
         self._call(function, self.handle, ctypes.byref(record), ctypes.byref(result))
         return result.value
+
+    def _clear_material(self, medium: int) -> Material:
+        """What a mesh with a medium has, unless it is told otherwise: an opaque one would hide it from renderers."""
+        return self._clear.setdefault(medium, Material(transmission=1.0, ior=self.medium(medium).ior))
 
     def _added_once(self, item: object, add: Callable[[], int]) -> int:
         known = self._known.get(id(item))

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._core.arrays import array, shown
 from .._core.choices import choice
 from .._files.writing import TONES
 from .._render.image import Image
@@ -19,7 +20,7 @@ _DATA = {"normal", "depth", "samples"}
 
 
 def image(
-    img: Image,
+    img: Image | NDArray[Any],
     layer: str = "beauty",
     *,
     tone: str = "srgb",
@@ -28,29 +29,36 @@ def image(
 ) -> Any:
     """Draws a layer of a picture, as `write_png` would write it, but depth and samples in colours with a bar beside them.
 
-    img: an Image that has the layer.
+    img: an Image that has the layer; or pixels, height x width x 3 or 4, linear RGB, with which `layer` does nothing.
     layer: one of `Renderer.layers()`.
     tone: "srgb", clamped to [0, 1] and the sRGB curve; or "aces", the fit of Narkowicz 2015 to the ACES curve, and sRGB.
     exposure: stops, added before the tone curve.
     ax: Axes to draw into; None: of a new figure.
     """
     load("matplotlib.pyplot")  # what is missing is said first
-    if not isinstance(img, Image):
-        raise InvalidArgumentError(f"img is {img!r}; it must be a tyndall.Image")
     choice(tone, "tone", TONES)
-    choice(layer, "layer", {name: 0 for name in img})
     if not np.isfinite(exposure):
         raise InvalidArgumentError(f"exposure is {exposure}; it must be finite")
-    pixels = img[layer]
+    pixels = _pixels(img, layer)
     height, width = pixels.shape[:2]
     ax = axes(ax, (6.4 + 0.9 * (pixels.shape[2] == 1), max(2.0, 6.4 * height / width)))
-    if pixels.shape[2] == 1:
+    if isinstance(img, Image) and pixels.shape[2] == 1:
         _draw_data(ax, img, layer, pixels[..., 0])
     else:
-        shown = 0.5 + 0.5 * pixels if layer == "normal" else tone_mapped(pixels[..., :3], tone, exposure)
-        ax.imshow(np.clip(shown, 0, 1), interpolation="nearest")
+        is_normal = isinstance(img, Image) and layer == "normal"
+        colors = 0.5 + 0.5 * pixels if is_normal else tone_mapped(pixels[..., :3], tone, exposure)
+        ax.imshow(np.clip(colors, 0, 1), interpolation="nearest")
     ax.set_axis_off()
     return ax
+
+
+def _pixels(img: Any, layer: str) -> NDArray[Any]:
+    if isinstance(img, Image):
+        choice(layer, "layer", {name: 0 for name in img})
+        return img[layer]
+    if not isinstance(img, np.ndarray) or img.ndim != 3 or img.shape[2] not in (3, 4):
+        raise InvalidArgumentError(f"img is {shown(img)}; it must be a tyndall.Image, or pixels, height x width x 3 or 4")
+    return array(img, "img")
 
 
 def tone_mapped(values: NDArray[np.float32], tone: str, exposure: float) -> NDArray[np.float32]:
