@@ -43,6 +43,9 @@ endif()
 
 # The licences of what was copied, where the distribution keeps them.
 find_program(DPKG_QUERY dpkg-query)
+if(NOT DPKG_QUERY)
+  message(WARNING "The licences of what was copied from the system are not in the wheel: only dpkg is asked for them")
+endif()
 foreach(path IN LISTS found)
   if(DPKG_QUERY)
     file(REAL_PATH "${path}" file)

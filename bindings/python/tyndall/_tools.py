@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -27,4 +28,5 @@ def main() -> NoReturn:
     environment = driver.environment()
     if sys.platform == "win32":
         sys.exit(subprocess.run([program, *sys.argv[1:]], env=environment).returncode)
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # Python ignores it, and what it starts would, too
     os.execve(program, [str(program), *sys.argv[1:]], environment)

@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 import ctypes
+import os
 from typing import Any, Callable
 
 from .. import capi
 from .devices import Device, device_choice, device_of
+from .fork import note_use
 from .handles import Handle
+from .progress import LongCall
 from .status import error_of
 
 _MESSAGE_BYTES = 65536  # what a failed creation may say; a kernel's build log is cut there
@@ -19,7 +22,8 @@ class ContextHandle(Handle):
     """A device, its queue and its compiled kernels: what everything else is made from.
 
     One context is used by one thread at a time: calls from several threads wait for each other. For work in parallel make a
-    context a thread; calls release the GIL. Closing a context closes what was made from it.
+    context a thread; calls release the GIL. OpenCL does not survive a fork: processes of multiprocessing need the start method
+    spawn. Closing a context closes what was made from it.
     """
 
     _kind = "context"
@@ -30,7 +34,7 @@ class ContextHandle(Handle):
         *,
         memory_limit: int = 0,
         lane_width: int = 0,
-        cache_directory: str | None = None,
+        cache_directory: str | os.PathLike[str] | None = None,
     ) -> None:
         """Opens a context.
 
@@ -46,7 +50,8 @@ class ContextHandle(Handle):
         options = context_options(memory_limit, lane_width, cache_directory)
         if choice is not None:
             options.device = choice.encode()
-        super().__init__(create(options, capi.lib.tyn_context_create), capi.lib.tyn_context_release)
+        with LongCall(None, "context"):  # what was made is owned before an interrupt is raised
+            super().__init__(create(options, capi.lib.tyn_context_create), capi.lib.tyn_context_release)
 
     @property
     def device(self) -> Device:
@@ -59,16 +64,17 @@ class ContextHandle(Handle):
         return "<tyndall.Context, closed>" if self.closed else f"<tyndall.Context on {self.device.name}>"
 
 
-def context_options(memory_limit: int, lane_width: int, cache_directory: str | None) -> Any:
+def context_options(memory_limit: int, lane_width: int, cache_directory: str | os.PathLike[str] | None) -> Any:
     """The TynContextOptions of a context's arguments, without a device."""
     options = capi.TynContextOptions(memory_limit=memory_limit, lane_width=lane_width)
     if cache_directory is not None:
-        options.cache_directory = str(cache_directory).encode()
+        options.cache_directory = os.fsencode(cache_directory)
     return options
 
 
 def create(options: Any, function: Callable[..., int], *arguments: Any) -> Any:
     """The context that `function(options, *arguments, context)` makes."""
+    note_use()
     message = ctypes.create_string_buffer(_MESSAGE_BYTES)
     options.message = ctypes.cast(message, ctypes.c_char_p)
     options.message_capacity = _MESSAGE_BYTES

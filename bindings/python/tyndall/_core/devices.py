@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from .. import capi
 from ..errors import NoDeviceError
+from .fork import note_use
 from .status import error_of
 
 
@@ -41,6 +42,7 @@ def device_of(index: int, info: capi.TynDeviceInfo) -> Device:
 
 def devices() -> list[Device]:
     """All OpenCL devices: GPUs first, then CPUs, each in the order of their platforms. Empty if there is none."""
+    note_use()
     count = ctypes.c_uint32()
     _check(capi.lib.tyn_device_count(ctypes.byref(count)))
     found = []

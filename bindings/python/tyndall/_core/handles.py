@@ -4,14 +4,18 @@
 
 from __future__ import annotations
 
+import atexit
 import threading
 import weakref
 from collections import deque
+from functools import cache
 from types import TracebackType
 from typing import Any, Callable, TypeVar
 
 from .. import capi
 from ..errors import CancelledError, ClosedError, InvalidOperationError
+from .fork import is_broken, note_use
+from .progress import LongCall
 from .status import error_of
 
 _Self = TypeVar("_Self", bound="Handle")
@@ -25,37 +29,72 @@ class Guard:
         self._lock = threading.Lock()
         self._owner: int | None = None
         self._released: deque[tuple[Callable[[Any], None], Any]] = deque()
+        _guards.add(self)
 
-    def __enter__(self) -> None:
-        me = threading.get_ident()
-        if self._owner == me:
+    def run(self, call: Callable[[], None]) -> None:
+        """Calls `call()` when no other thread is inside."""
+        if self._owner == threading.get_ident():
             raise InvalidOperationError("a context cannot be used from the progress callback of its own call")
-        self._lock.acquire()
-        self._owner = me
+        if LongCall.signals_are_put_off():
+            self._run_patiently(call)
+        else:
+            # The lock's own methods, not ones in Python: an interrupt must not come between taking and holding it.
+            with self._lock:
+                self._run_as_owner(call)
+        self._release_if_free()
 
-    def __exit__(self, *_: object) -> None:
-        self._release_all()
-        self._owner = None
-        self._lock.release()
-        if self._released:
-            self._try_release_all()
+    def _run_patiently(self, call: Callable[[], None]) -> None:
+        while not self._lock.acquire(timeout=_LOOK):
+            LongCall.run_signals()
+        try:
+            self._run_as_owner(call)
+        finally:
+            self._lock.release()
+
+    def _run_as_owner(self, call: Callable[[], None]) -> None:
+        self._owner = threading.get_ident()
+        try:
+            call()
+        finally:
+            self._owner = None
+            self._release_all()
 
     def release(self, function: Callable[[Any], None], pointer: Any) -> None:
         """Calls `function(pointer)`, now or as soon as no call is under way."""
-        self._released.append((function, pointer))
-        self._try_release_all()
+        if not is_broken():
+            self._released.append((function, pointer))
+            self._release_if_free()
 
-    def _try_release_all(self) -> None:
-        if self._lock.acquire(blocking=False):
+    def _release_if_free(self) -> None:
+        while self._released and self._lock.acquire(blocking=False):
             try:
+                self._owner = threading.get_ident()
                 self._release_all()
             finally:
+                self._owner = None
                 self._lock.release()
 
     def _release_all(self) -> None:
         while self._released:
             function, pointer = self._released.popleft()
             function(pointer)
+
+    def wait(self, seconds: float) -> None:
+        """Returns when no call is under way, or after that time."""
+        if self._lock.acquire(timeout=seconds):
+            self._lock.release()
+
+
+_LOOK = 0.05  # seconds between two looks for signals, while another thread is waited for
+_PATIENCE = 5.0  # seconds that the end of the process waits for calls of daemon threads, which are cancelled
+_guards: weakref.WeakSet[Guard] = weakref.WeakSet()
+
+
+def _end_calls() -> None:
+    """A thread that the end of the process takes out of the library in the middle of a call takes the process with it."""
+    LongCall.end_all()
+    for guard in list(_guards):
+        guard.wait(_PATIENCE)
 
 
 class Handle:
@@ -74,6 +113,7 @@ class Handle:
             self._guard = self._root._guard
             self._root._children.add(self)
         self._finalizer = weakref.finalize(self, self._guard.release, release, pointer)
+        _register_end()
 
     @property
     def closed(self) -> bool:
@@ -83,6 +123,8 @@ class Handle:
     @property
     def handle(self) -> Any:
         """The C pointer, for calls of `tyndall.capi`. Raises ClosedError if there is none any more."""
+        if is_broken():
+            note_use()
         if not self._finalizer.alive:
             raise ClosedError(f"this {self._kind} was closed")
         return self._pointer
@@ -103,15 +145,24 @@ class Handle:
 
     def _call(self, function: Callable[..., int], *arguments: Any) -> None:
         """Calls `function(*arguments)`, and raises what its status stands for, with the context's message."""
-        with self._guard:
-            _ = self.handle  # another thread may have closed it while this one waited
+
+        def call() -> None:
+            _ = self.handle  # which may have been closed while another thread was waited for
             self._check(function(*arguments))
+
+        self._guard.run(call)
 
     def _check(self, status: int) -> None:
         """Raises what `status` stands for. The guard is held, so that the message is still this call's."""
         if status == capi.TYN_OK:
             return
-        message = capi.lib.tyn_context_message(self._root.handle).decode(errors="replace")
         if status == capi.TYN_ERROR_CANCELLED:
             raise CancelledError("the call was cancelled")
+        message = capi.lib.tyn_context_message(self._root._pointer).decode(errors="replace")
         raise error_of(status, message)
+
+
+@cache
+def _register_end() -> None:
+    """Once, after the first finalizer was made: what is registered last is called first, and finalizers must wait for calls."""
+    atexit.register(_end_calls)

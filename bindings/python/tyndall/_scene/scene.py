@@ -14,6 +14,7 @@ from .. import capi
 from .._core.arrays import shown
 from .._core.context import ContextHandle
 from .._core.numbers import decimal, index
+from .._core.progress import LongCall
 from .._media.medium import Medium
 from .._media.phase import Phase
 from ..errors import InvalidArgumentError
@@ -148,8 +149,9 @@ class Scene(SceneFiles):
 
         Errors: InvalidOperationError (there is no mesh, or it is committed already), OutOfMemoryError, DeviceError.
         """
-        self._call(capi.lib.tyn_scene_commit, self.handle)
-        self._committed = True
+        with LongCall(None, "commit"):  # so that no interrupt comes between the two
+            self._call(capi.lib.tyn_scene_commit, self.handle)
+            self._committed = True
 
     @property
     def info(self) -> SceneInfo:

@@ -25,10 +25,13 @@ def _wanted() -> bool:
 
 
 def offer() -> None:
-    """Makes the OpenCL loader find the driver. Before the loader is first asked."""
+    """Makes the OpenCL loader find the driver, through variables of the environment. Before the loader is first asked."""
     if _wanted():
-        for name in _NEEDED:
-            ctypes.CDLL(str(_LIBRARIES / name))
+        try:
+            for name in _NEEDED:
+                ctypes.CDLL(str(_LIBRARIES / name))
+        except OSError:  # they were not installed with it
+            return
         for variable in _VARIABLES:
             os.environ[variable] = str(_DRIVER)
 

@@ -79,7 +79,10 @@ def _check_version(library: ctypes.CDLL, path: str) -> None:
 
 
 def _load() -> tuple[ctypes.CDLL, str]:
-    path = os.environ.get("TYNDALL_LIBRARY") or str(_packaged("tyndall") or _file_name("tyndall"))
+    wanted = os.environ.get("TYNDALL_LIBRARY")
+    if wanted and os.path.dirname(wanted):
+        wanted = os.path.abspath(wanted)  # libtyndall-io is looked for later, perhaps from another folder
+    path = wanted or str(_packaged("tyndall") or _file_name("tyndall"))
     driver.offer()
     library = _open(path)
     _check_version(library, path)
@@ -93,6 +96,8 @@ class _Files:
 
     def __getattr__(self, name: str) -> Any:
         directory, file = os.path.split(path)
+        if "tyndall" not in file:
+            raise ImportError(f"{path} is not named after tyndall: there is no telling how its tyndall-io is named")
         beside = os.path.join(directory, file.replace("tyndall", "tyndall-io", 1))
         library = _open(beside)
         _declare(library, beside, tyndall_io.FUNCTIONS)

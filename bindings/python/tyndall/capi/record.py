@@ -33,6 +33,20 @@ def checked_integer(kind: type[_SimpleCData[Any]], name: str, value: Any) -> int
     return number
 
 
+def _text(value: Any, name: str) -> bytes | None:
+    """`value` as a C string; ctypes would take an integer for its address."""
+    if isinstance(value, str):
+        try:
+            value = value.encode()
+        except UnicodeEncodeError:
+            raise InvalidArgumentError(f"{name} is {value!r}, which is not Unicode") from None
+    if value is not None and not isinstance(value, bytes):
+        raise InvalidArgumentError(f"{name} is {value!r}; it must be a string, or None")
+    if value is not None and b"\0" in value:
+        raise InvalidArgumentError(f"{name} is {value!r}; it must not contain a zero byte")
+    return value
+
+
 class Record(Structure):
     """A record of the C headers. `Record(field=value, ...)` is what the header's initializer of that record gives, with these
     fields set; `size` sets itself."""
@@ -50,8 +64,8 @@ class Record(Structure):
                 raise AttributeError(f"{type(self).__name__} has no field {name}")
             if kind in _LIMITS:
                 value = checked_integer(kind, name, value)
-            elif kind is c_char_p and isinstance(value, str):
-                value = value.encode()
+            elif kind is c_char_p:
+                value = _text(value, name)
             elif isinstance(kind, type) and issubclass(kind, Array) and not isinstance(value, (kind, bytes)):
                 value = kind(*value)
             setattr(self, name, value)
