@@ -269,7 +269,7 @@ def test_bad_exits(context: ty.Context, dipole: ty.Bssrdf) -> None:
     ):
         with pytest.raises(errors.InvalidArgumentError, match=message):
             dipole.sample_exits(scene, **options)
-    with pytest.raises(errors.InvalidArgumentError, match="must be a Scene"):
+    with pytest.raises(errors.InvalidArgumentError, match="must be a tyndall.Scene"):
         dipole.sample_exits(None, **some)
     with pytest.raises(errors.InvalidOperationError, match="commit"):
         dipole.sample_exits(context.scene(), **some)

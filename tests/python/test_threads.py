@@ -4,7 +4,7 @@
 
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 import pytest
@@ -105,11 +105,27 @@ def test_a_context_cannot_be_used_from_its_own_call(context: ty.Context) -> None
             assert seen[0] == context.walk(scene, entries()).tobytes()
 
 
-@pytest.mark.parametrize("what", ["scene", "context"])
-def test_what_is_closed_while_a_thread_waits_for_it_is_refused(what: str) -> None:
+def exits(model: ty.Bssrdf, scene: ty.Scene) -> Any:
+    return model.sample_exits(scene, position=[0, 0, 1], normal=[0, 0, 1])
+
+
+NO_BUFFER = 64  # an address that is not looked at
+USES: dict[str, Callable[[ty.Context, ty.Scene, ty.Bssrdf], object]] = {
+    "walk": lambda context, scene, model: context.walk(scene, entries()),
+    "exits": lambda context, scene, model: exits(model, scene),
+    "exits_cl": lambda context, scene, model: model.sample_exits_cl(scene, NO_BUFFER, 0, NO_BUFFER),
+}
+
+
+@pytest.mark.parametrize(
+    ("what", "use"),
+    [*((one, "walk") for one in ("scene", "context")), *((one, "exits") for one in ("scene", "model")), ("scene", "exits_cl")],
+)
+def test_what_is_closed_while_a_thread_waits_for_it_is_refused(what: str, use: str) -> None:
     """The first thread is inside a call; the second waits for the context; then it goes. The first call ends as always."""
     context = ty.Context()
     scene = scene_of(context)
+    model = context.bssrdf("better-dipole", ty.Medium(0.1, 4))
     expected = context.walk(scene, entries()).tobytes()
     inside, closed = threading.Event(), threading.Event()
     waiting: list[threading.Thread] = []
@@ -117,7 +133,7 @@ def test_what_is_closed_while_a_thread_waits_for_it_is_refused(what: str) -> Non
 
     def second() -> None:
         try:
-            context.walk(scene, entries())
+            USES[use](context, scene, model)
         except BaseException as error:
             found.append(error)
 
@@ -132,9 +148,32 @@ def test_what_is_closed_while_a_thread_waits_for_it_is_refused(what: str) -> Non
     with ThreadPoolExecutor(1) as pool:
         future = pool.submit(context.walk, scene, entries(), progress=first)
         assert inside.wait(20)
-        (scene if what == "scene" else context).close()
+        {"scene": scene, "context": context, "model": model}[what].close()
         closed.set()
         assert future.result(20).tobytes() == expected
     waiting[0].join(20)
     assert [type(error) for error in found] == [ClosedError]
     context.close()
+
+
+def test_what_a_scene_says_is_copied_before_it_may_be_closed(context: ty.Context, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A record points into the scene: while it is read, no thread may use it otherwise."""
+    refused: list[type] = []
+
+    def watch(kind: Any, method: str) -> None:
+        own = getattr(kind, method)
+
+        def read(*arguments: Any, **keywords: Any) -> Any:
+            with pytest.raises(InvalidOperationError):
+                _ = context.device
+            refused.append(kind)
+            return own(*arguments, **keywords)
+
+        monkeypatch.setattr(kind, method, read)
+
+    with scene_of(context) as scene:
+        watch(ty.MeshInfo, "of")
+        watch(ty.Medium, "__init__")
+        assert scene.mesh_info(0).triangle_count == 320
+        assert scene.medium(0).sigma_s.tolist() == [4, 4, 4]
+    assert refused == [ty.MeshInfo, ty.Medium]

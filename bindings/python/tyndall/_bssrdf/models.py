@@ -18,7 +18,7 @@ from .._core.handles import Handle
 from .._core.numbers import UINT64, integer
 from .._core.opencl import cl_buffer
 from .._core.progress import LongCall, Progress
-from .._scene.scene import Scene
+from .._scene.scene import Scene, scene_of
 from .._slab.layers import Layers, slab_record, stack
 from ..errors import InvalidArgumentError
 from .records import BSSRDF_ENTRY, BSSRDF_EXIT, BSSRDF_PATH, structured
@@ -186,13 +186,13 @@ class Bssrdf(Handle):
         These are broadcast against each other; exits have the shape of the entries, at least one-dimensional.
         seed, first: >= 0, < 2^64; exit i is a function of seed, first + i + path, and the entry.
         """
-        self._require_unit_of(scene)
+        self._require_scene(scene)
         members, numbers = {"position": position, "normal": normal}, {"mesh": mesh, "path": path}
         given = np.atleast_1d(structured(BSSRDF_ENTRY, "entries", entries, members, numbers))
         exits = np.zeros(given.shape, BSSRDF_EXIT)
         weights = np.empty((self.channels, given.size), np.float32)
-        self._call(
-            capi.lib.tyn_bssrdf_sample_exits, self.handle, scene.handle, integer(seed, "seed", 0, UINT64),
+        self._call_with(
+            scene, capi.lib.tyn_bssrdf_sample_exits, integer(seed, "seed", 0, UINT64),
             integer(first, "first", 0, UINT64), record_data(given, capi.TynBssrdfEntry), given.size,
             record_data(exits, capi.TynBssrdfExit), data(weights),
         )  # fmt: skip
@@ -231,9 +231,9 @@ class Bssrdf(Handle):
         """`sample_exits` on OpenCL buffers: `count` records BSSRDF_ENTRY, at most 2^32 - 1, and BSSRDF_EXIT, and channels x
         count float32 weights, channel by channel, or None. Enqueued on the context's queue; does not wait. What is bad in an
         entry ends as TYN_BSSRDF_EXIT_LOST."""
-        self._require_unit_of(scene)
-        self._call(
-            capi.lib.tyn_bssrdf_sample_exits_cl, self.handle, scene.handle, integer(seed, "seed", 0, UINT64),
+        self._require_scene(scene)
+        self._call_with(
+            scene, capi.lib.tyn_bssrdf_sample_exits_cl, integer(seed, "seed", 0, UINT64),
             integer(first, "first", 0, UINT64), cl_buffer(entries, "entries"), integer(count, "count", 0, UINT64),
             cl_buffer(exits, "exits"), _optional_buffer(weights, "weights"),
         )  # fmt: skip
@@ -248,10 +248,14 @@ class Bssrdf(Handle):
         n = integer(count, "count", 0, UINT64)
         self._call(function, self.handle, cl_buffer(radii, "radii"), n, cl_buffer(values, name))
 
-    def _require_unit_of(self, scene: Scene) -> None:
+    def _call_with(self, scene: Scene, function: Any, *arguments: Any) -> None:
+        """Calls `function(model, scene, *arguments)`. Another thread may close either while this one waits for the guard, so
+        both are asked for inside."""
+        self._call(lambda: function(self.handle, scene.handle, *arguments))
+
+    def _require_scene(self, scene: Scene) -> None:
         """A medium may be in millimetres and a scene in metres, and no call could tell."""
-        if not isinstance(scene, Scene):
-            raise InvalidArgumentError(f"scene is {scene!r}; it must be a Scene")
+        scene_of(self.context, scene)
         own = self.metres_per_unit
         if own is not None and not np.isclose(own, scene.metres_per_unit, rtol=1e-6, atol=0):
             raise InvalidArgumentError(

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable
+from typing import Any, Callable, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,8 @@ from .info import MeshInfo, SceneInfo
 from .light import Environment, Light
 from .material import Material
 from .mesh import mesh_record
+
+_T = TypeVar("_T")
 
 
 class Scene(SceneFiles):
@@ -162,24 +164,15 @@ class Scene(SceneFiles):
 
     def mesh_info(self, mesh: int) -> MeshInfo:
         """What a mesh is. mesh: its index."""
-        return MeshInfo.of(self._read(capi.lib.tyn_scene_mesh_info, mesh, capi.TynMeshInfo()))
+        return self._read(capi.lib.tyn_scene_mesh_info, mesh, capi.TynMeshInfo(), MeshInfo.of)
 
     def medium(self, medium: int) -> Medium:
         """A medium that was added, of three channels, in 1/scene unit. medium: its index."""
-        record = self._read(capi.lib.tyn_scene_medium, medium, capi.TynMedium())
-        return Medium(
-            [decimal(one) for one in record.sigma_a],
-            [decimal(one) for one in record.sigma_s],
-            g=decimal(record.g),
-            ior=decimal(record.ior),
-            phase=_phase(record.phase.contents) if record.phase else None,
-            name=record.name.decode(errors="replace") or None,
-            metres_per_unit=self._metres_per_unit,
-        )
+        return self._read(capi.lib.tyn_scene_medium, medium, capi.TynMedium(), self._medium_of)
 
     def camera(self, camera: int) -> Camera:
         """A camera that was added. camera: its index."""
-        return Camera.of(self._read(capi.lib.tyn_scene_camera, camera, capi.TynCamera()))
+        return self._read(capi.lib.tyn_scene_camera, camera, capi.TynCamera(), Camera.of)
 
     def frame(self, aspect_ratio: float = 1.0) -> Camera:
         """A view of the whole scene: from the front, slightly above, 30 degrees field of view. aspect_ratio: the film's,
@@ -205,9 +198,31 @@ class Scene(SceneFiles):
         self._known[id(item)] = (item, result)
         return result
 
-    def _read(self, function: Any, number: int, record: Any) -> Any:
-        self._call(function, self.handle, index(number, "index"), ctypes.byref(record))
-        return record
+    def _read(self, function: Any, number: int, record: Any, copy: Callable[[Any], _T]) -> _T:
+        """What `copy` makes of the record that is read. It points into the scene, so it is copied before another thread may
+        close that."""
+        place = index(number, "index")
+        copies: list[_T] = []
+
+        def read() -> int:
+            status: int = function(self.handle, place, ctypes.byref(record))
+            if status == capi.TYN_OK:
+                copies.append(copy(record))
+            return status
+
+        self._call(read)
+        return copies[0]
+
+    def _medium_of(self, record: Any) -> Medium:
+        return Medium(
+            [decimal(one) for one in record.sigma_a],
+            [decimal(one) for one in record.sigma_s],
+            g=decimal(record.g),
+            ior=decimal(record.ior),
+            phase=_phase(record.phase.contents) if record.phase else None,
+            name=record.name.decode(errors="replace") or None,
+            metres_per_unit=self._metres_per_unit,
+        )
 
     def __repr__(self) -> str:
         state = "closed" if self.closed else "committed" if self._committed else "open"
