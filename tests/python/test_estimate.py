@@ -169,3 +169,18 @@ def test_shapes_must_agree():
 def test_any_basic_index_of_any_shape(values, data):
     index = data.draw(hnp.basic_indices(values.shape, allow_newaxis=True))
     same(ty.Estimate(values, 2 * values)[index], values[index], 2 * values[index])
+
+
+def test_what_goes_into_an_array_of_the_caller_is_values(estimate):
+    room = np.empty((2, 2))
+    for call in (
+        lambda: estimate.take([0, 2], 0, room),
+        lambda: estimate.take([0, 2], axis=0, out=room),
+        lambda: estimate.compress([True, False, True], 0, room),
+        lambda: estimate.compress([True, False, True], axis=0, out=room),
+    ):
+        room[...] = 0
+        assert call() is room
+        np.testing.assert_array_equal(room, VALUES[[0, 2]])
+    same(estimate.take([0, 2], 0, None, "clip"), VALUES[[0, 2]], ERRORS[[0, 2]])
+    same(estimate.reshape(1, 3, 2), VALUES[None], ERRORS[None])

@@ -109,8 +109,14 @@ def _plain(value: Any) -> Any:
     return value
 
 
+def _out(name: str, args: Any, kwargs: Any) -> Any:
+    return args[2] if name in ("take", "compress") and len(args) > 2 else kwargs.get("out")
+
+
 def _keeping(name: str) -> Any:
     def method(self: Estimate, *args: Any, **kwargs: Any) -> Any:
+        if _out(name, args, kwargs) is not None:  # the caller's array, which is for the values alone
+            return getattr(_values(self), name)(*_plain(args), **_plain(kwargs))
         return _both(self, lambda one: getattr(one, name)(*args, **kwargs))
 
     method.__name__ = name
