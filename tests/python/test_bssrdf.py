@@ -269,7 +269,7 @@ def test_bad_exits(context: ty.Context, dipole: ty.Bssrdf) -> None:
     ):
         with pytest.raises(errors.InvalidArgumentError, match=message):
             dipole.sample_exits(scene, **options)
-    with pytest.raises(errors.InvalidArgumentError, match="must be a tyndall.Scene"):
+    with pytest.raises(errors.InvalidArgumentError, match="scene is None"):
         dipole.sample_exits(None, **some)
     with pytest.raises(errors.InvalidOperationError, match="commit"):
         dipole.sample_exits(context.scene(), **some)
@@ -419,3 +419,37 @@ def test_closed_models_and_contexts() -> None:
         other.profile(1.0)
     with pytest.raises(errors.ClosedError):
         own.bssrdf("standard-dipole", skin())
+
+
+def test_layers_of_a_generator(context):
+    medium = ty.Medium(0.1, 2)
+    layers = [ty.Layer(medium, 1.0), ty.Layer(medium)]
+    with context.bssrdf("multipole", iter(layers[:1])) as one, context.bssrdf("multipole", layers[:1]) as same:
+        assert one.layers == same.layers
+        np.testing.assert_array_equal(one.profile([0.5, 1]), same.profile([0.5, 1]))
+    with pytest.raises(errors.InvalidArgumentError, match="layers"):
+        context.bssrdf("multipole", iter([]))
+
+
+def test_path_numbers_keep_all_bits(context):
+    numbers = [1, 2**63 + 1, 2**64 - 4]  # numpy makes float64 of such a list
+    words = [[1, 0], [1, 2**31], [2**32 - 4, 2**32 - 1]]
+    assert ty.walk_entries([0, 0, 0], kind="cosine", path=numbers)["path"].tolist() == words
+    given = np.zeros(3, ty.BSSRDF_ENTRY)
+    given["position"], given["normal"], given["path"] = [0, 0, 1], [0, 0, 1], words
+    with context.scene() as scene, context.bssrdf("better-dipole", ty.Medium(0.1, 4)) as model:
+        scene.add_mesh(*ty.shapes.sphere(1.0, 2))
+        scene.commit()
+        found = model.sample_exits(scene, position=[0, 0, 1], normal=[0, 0, 1], path=numbers)
+        same = model.sample_exits(scene, given)
+    assert len(np.unique(same.exits)) == 3
+    assert found.exits.tobytes() == same.exits.tobytes()
+
+
+@pytest.mark.parametrize("path", [-1, 0.5, [1, 2**64], [0.0, 2.0**64], [1, "a"], [1, None], np.nan, [[1], [2, 3]]])
+def test_what_is_no_path_number(context, path):
+    with pytest.raises(errors.InvalidArgumentError, match="path"):
+        ty.walk_entries([0, 0, 0], kind="cosine", path=path)
+    with context.scene() as scene, context.bssrdf("better-dipole", ty.Medium(0.1, 4)) as model:
+        with pytest.raises(errors.InvalidArgumentError, match="path"):
+            model.sample_exits(scene, position=[0, 0, 1], normal=[0, 0, 1], path=path)

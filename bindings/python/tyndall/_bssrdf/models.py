@@ -301,7 +301,8 @@ class BssrdfCalls(ContextHandle):
 
         Errors: InvalidArgumentError, OutOfMemoryError, DeviceError, KernelBuildError, CancelledError.
         """
-        slab = slab_record(layers, ior_above, ior_below)
+        found = stack(layers)  # once: they may come from a generator
+        slab = slab_record(found, ior_above, ior_below)
         weights, variances = _gaussians(gaussian_weights, gaussian_variances, slab.channel_count)
         options = capi.TynBssrdfOptions(
             model=model_choice(model), fit=choice(fit, "fit", _FITS), transmitted=int(bool(transmitted)),
@@ -314,7 +315,7 @@ class BssrdfCalls(ContextHandle):
             self._call(
                 capi.lib.tyn_bssrdf_create, self.handle, ctypes.byref(slab), ctypes.byref(options), ctypes.byref(pointer)
             )  # fmt: skip
-        return Bssrdf(self, model, layers, pointer)
+        return Bssrdf(self, model, found, pointer)
 
 
 def _by_point(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from .._core.arrays import array, records
+from .._core.broadcast import words
 from ..errors import InvalidArgumentError
 
 BSSRDF_PATH: np.dtype[Any] = np.dtype(capi.TynBssrdfPath)
@@ -39,7 +40,7 @@ def structured(
         raise InvalidArgumentError(f"without {name}, {' and '.join(missing)} must be given")
     parts: dict[str, NDArray[Any]] = {member: _vectors(value, member) for member, value in vectors.items()}
     for member, value in numbers.items():
-        parts[member] = array(value, member, np.uint64 if member == "path" else np.uint32)[..., None]
+        parts[member] = words(value, member) if member == "path" else array(value, member, np.uint32)[..., None]
     try:
         shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts.values()))
     except ValueError:
@@ -47,11 +48,7 @@ def structured(
         raise InvalidArgumentError(f"these do not fit each other: {shapes}") from None
     result = np.zeros(shape, dtype)
     for member, part in parts.items():
-        if member == "path":
-            number: NDArray[np.uint64] = part[..., 0]
-            result[member][..., 0], result[member][..., 1] = number & np.uint64(0xFFFFFFFF), number >> np.uint64(32)
-        else:
-            result[member] = part if member in vectors else part[..., 0]
+        result[member] = part[..., 0] if result[member].ndim < part.ndim else part
     return result
 
 

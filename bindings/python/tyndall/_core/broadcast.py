@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from ..errors import InvalidArgumentError
-from .arrays import array
+from .arrays import array, shown
+from .numbers import UINT64, integer
 
 
 def indices(value: Any, name: str) -> NDArray[np.uint32]:
@@ -28,6 +29,23 @@ def indices(value: Any, name: str) -> NDArray[np.uint32]:
     if low < 0 or high > capi.TYN_NONE:
         raise InvalidArgumentError(f"{name} holds {low if low < 0 else high}; an index is in [0, {capi.TYN_NONE}]")
     return given.astype(np.uint32)
+
+
+def words(value: ArrayLike, name: str) -> NDArray[np.uint32]:
+    """Integers in [0, 2^64) as their low and high words, on a new last axis."""
+    try:
+        given = np.asarray(value)
+        if given.size > 0 and given.dtype.kind not in "iu":  # numpy makes float64 of [1, 2**63 + 1]
+            given = np.asarray(value, object)
+    except ValueError:
+        raise InvalidArgumentError(f"{name} must be integers in [0, 2^64); it is {shown(value)}") from None
+    if given.dtype.kind == "O":
+        numbers = [integer(one, name, 0, UINT64) for one in given.ravel()]
+        given = np.array(numbers, np.uint64).reshape(given.shape)
+    if given.size > 0:
+        integer(given.min(), name, 0, UINT64)
+    number = given.astype(np.uint64)
+    return np.stack([number & np.uint64(0xFFFFFFFF), number >> np.uint64(32)], axis=-1).astype(np.uint32)
 
 
 def vectors(value: ArrayLike, name: str) -> NDArray[np.float32]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._core.arrays import array, records
-from .._core.broadcast import colors, filled, indices, vectors
+from .._core.broadcast import colors, filled, indices, vectors, words
 from .._core.dtypes import HIT, NONE, RAY, WALK_ENTRY
 from ..errors import InvalidArgumentError
 
@@ -68,7 +68,7 @@ def walk_entries(
             "medium": indices(medium, "medium"),
             "sigma_t": _MEDIUMS_OWN if sigma_t is None else _not_negative(colors(sigma_t, "sigma_t"), "sigma_t"),
             "roughness": array(roughness, "roughness"),
-            "path": _words(path),
+            "path": words(path, "path"),
         },
     )
 
@@ -116,12 +116,3 @@ def _not_negative(values: NDArray[np.float32], name: str) -> NDArray[np.float32]
     if np.any(values < 0):
         raise InvalidArgumentError(f"{name} is {values.min():g}; it must be >= 0, or None for the medium's")
     return values
-
-
-def _words(path: ArrayLike) -> NDArray[np.uint32]:
-    """Integers of 64 bits as their low and high words, on a new last axis."""
-    given = np.asarray(path)
-    if given.size > 0 and (given.dtype.kind not in "iu" or given.min() < 0):
-        raise InvalidArgumentError("path must be integers in [0, 2^64)")
-    number = given.astype(np.uint64)
-    return np.stack([number & np.uint64(0xFFFFFFFF), number >> np.uint64(32)], axis=-1).astype(np.uint32)
