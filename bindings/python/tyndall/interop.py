@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 from . import capi
 from ._core.context import ContextHandle, context_options, create
 from ._core.handles import Handle
-from ._core.numbers import index
+from ._core.numbers import UINT64, integer
 from ._core.opencl import cl_buffer, cl_object
 from ._scene.scene import Scene, mesh_choice, scene_of
 from ._walk.calls import walk_options
@@ -127,4 +127,4 @@ class InteropCalls(ContextHandle):
 
 def _count(count: int) -> int:
     """ctypes would take any integer and keep its lowest bits."""
-    return index(count, "count")
+    return integer(count, "count", 0, UINT64)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core.arrays import array
+from ._core.numbers import integer, number, require
 from .errors import InvalidArgumentError
 
 Shape = tuple[NDArray[np.float32], NDArray[np.uint32]]
@@ -28,14 +29,13 @@ def box(size: ArrayLike = 1.0) -> Shape:
 def sphere(radius: float = 1.0, subdivisions: int = 3) -> Shape:
     """An icosahedron whose triangles are split `subdivisions` times into four, with its 10 4^subdivisions + 2 vertices on the
     sphere of `radius` > 0 around the origin. subdivisions: 0 to 10."""
-    if not 0 < radius < np.inf:
-        raise InvalidArgumentError(f"radius is {radius}; it must be > 0 and finite")
-    if subdivisions not in range(11):
-        raise InvalidArgumentError(f"subdivisions is {subdivisions}; it must be an integer in [0, 10]")
+    size = number(radius, "radius")
+    require(0 < size < np.inf, "radius", size, "> 0 and finite")
+    splits = integer(subdivisions, "subdivisions", 0, 10)
     points, triangles = _icosahedron()
-    for _ in range(subdivisions):
+    for _ in range(splits):
         points, triangles = _split(points, triangles)
-    return (radius * points).astype(np.float32), triangles.astype(np.uint32)
+    return (size * points).astype(np.float32), triangles.astype(np.uint32)
 
 
 def _icosahedron() -> tuple[NDArray[np.float64], NDArray[np.int64]]:

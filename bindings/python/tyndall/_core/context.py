@@ -12,6 +12,7 @@ from .. import capi
 from .devices import Device, device_choice, device_of
 from .fork import note_use
 from .handles import Handle
+from .numbers import UINT32, UINT64, integer
 from .progress import LongCall
 from .status import error_of
 
@@ -66,7 +67,9 @@ class ContextHandle(Handle):
 
 def context_options(memory_limit: int, lane_width: int, cache_directory: str | os.PathLike[str] | None) -> Any:
     """The TynContextOptions of a context's arguments, without a device."""
-    options = capi.TynContextOptions(memory_limit=memory_limit, lane_width=lane_width)
+    options = capi.TynContextOptions(
+        memory_limit=integer(memory_limit, "memory_limit", 0, UINT64), lane_width=integer(lane_width, "lane_width", 0, UINT32)
+    )
     if cache_directory is not None:
         options.cache_directory = os.fsencode(cache_directory)
     return options

@@ -17,6 +17,7 @@ from ..capi.record import Record
 from ..errors import InvalidArgumentError
 from .choices import choice
 from .numbers import decimal, index
+from .text import optional_name
 
 Numbers = Any
 """As many numbers as the field's comment says, or one for all of them; kept as a tuple of float."""
@@ -46,7 +47,7 @@ class Fields:
         if name in self._INDICES:
             return None if value is None else index(value, name)
         if kind is ctypes.c_char_p:
-            return None if value is None else str(value)
+            return optional_name(value, f"{type(self).__name__}.{name}")
         if kind is ctypes.c_uint32:
             return bool(value)
         return self._floats(name, kind, value)

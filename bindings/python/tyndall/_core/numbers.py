@@ -31,7 +31,7 @@ def integer(value: Any, name: str, low: int, high: int) -> int:
     try:
         result = int(value.__index__())
     except (AttributeError, TypeError):
-        raise InvalidArgumentError(f"{name} is {value!r}; it must be {text}") from None
+        raise InvalidArgumentError(f"{name} is {shown(value)}; it must be {text}") from None
     if not low <= result <= high:
         raise InvalidArgumentError(f"{name} is {result}; it must be {text}")
     return result
@@ -40,12 +40,12 @@ def integer(value: Any, name: str, low: int, high: int) -> int:
 def index(value: Any, name: str) -> int:
     """`value` as an index; InvalidArgumentError with `name` otherwise."""
     try:
-        number = operator.index(value)
+        found = operator.index(value)
     except TypeError:
         raise InvalidArgumentError(f"{name} is {shown(value)}; it must be an index") from None
-    if isinstance(value, bool) or not 0 <= number < capi.TYN_NONE:
+    if isinstance(value, bool) or not 0 <= found < capi.TYN_NONE:
         raise InvalidArgumentError(f"{name} is {value!r}; it must be an index, in [0, {capi.TYN_NONE - 1}]")
-    return number
+    return found
 
 
 def decimal(value: float) -> float:

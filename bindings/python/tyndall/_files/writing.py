@@ -11,6 +11,7 @@ from typing import Union
 from .. import capi
 from .._bssrdf.paths import Path, path_bytes, text_bytes
 from .._core.choices import choice
+from .._core.numbers import number
 from .._render.image import Image
 from .._render.renderer import LAYERS, Renderer
 from ..errors import InvalidArgumentError
@@ -61,7 +62,7 @@ def write_png(
     """
     renderer = _renderer(image)
     options = capi.TynPngOptions(
-        exposure=float(exposure), tone=choice(tone, "tone", TONES), layer=choice(layer, "layer", LAYERS),
+        exposure=number(exposure, "exposure"), tone=choice(tone, "tone", TONES), layer=choice(layer, "layer", LAYERS),
         transparent=int(bool(transparent)),
     )  # fmt: skip
     renderer._call(capi.io.tyn_png_write, renderer.handle, path_bytes(path), ctypes.byref(options))

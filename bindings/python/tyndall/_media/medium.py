@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array
+from .._core.arrays import array, shown
 from .._core.numbers import decimal, number, require
 from .._core.status import error_of
+from .._core.text import optional_name
 from ..errors import InvalidArgumentError
 from .colors import albedo_from_color
 from .phase import Phase
@@ -85,18 +86,17 @@ class Medium:
             ) from None
         self.sigma_a: NDArray[np.float64] = _coefficients(absorbed, "sigma_a")
         self.sigma_s: NDArray[np.float64] = _coefficients(scattered, "sigma_s")
-        if not -1 < g < 1:
-            raise InvalidArgumentError(f"g is {g}; it must be in (-1, 1)")
-        if not 1 <= ior <= 4:
-            raise InvalidArgumentError(f"ior is {ior}; it must be in [1, 4]")
-        if metres_per_unit is not None and not 0 < metres_per_unit < np.inf:
-            raise InvalidArgumentError(f"metres_per_unit is {metres_per_unit}; it must be > 0 and finite")
+        if phase is not None and not isinstance(phase, Phase):
+            raise InvalidArgumentError(f"phase is {shown(phase)}; it must be a tyndall.Phase, or None")
+        cosine, index = number(g, "g"), number(ior, "ior")
+        require(-1 < cosine < 1, "g", cosine, "in (-1, 1)")
+        require(1 <= index <= 4, "ior", index, "in [1, 4]")
         self.phase = phase
-        self.g = float(g) if phase is None else phase.mean_cosine
+        self.g = cosine if phase is None else phase.mean_cosine
         """Mean cosine of the phase function."""
-        self.ior = float(ior)
-        self.name = name
-        self.metres_per_unit = None if metres_per_unit is None else float(metres_per_unit)
+        self.ior = index
+        self.name = optional_name(name)
+        self.metres_per_unit = None if metres_per_unit is None else _positive(metres_per_unit, "metres_per_unit")
 
     @classmethod
     def preset(cls, name: str, metres_per_unit: float = MILLIMETRE) -> Medium:
@@ -105,8 +105,9 @@ class Medium:
         record = capi.TynMedium()
         if name not in cls.presets():
             raise InvalidArgumentError(f'there is no preset "{name}"; there are: {", ".join(cls.presets())}')
-        if capi.lib.tyn_medium_preset(name.encode(), metres_per_unit, ctypes.byref(record)) != capi.TYN_OK:
-            raise InvalidArgumentError(f"metres_per_unit is {metres_per_unit}; it must be > 0 and finite")
+        unit = _positive(metres_per_unit, "metres_per_unit")
+        if capi.lib.tyn_medium_preset(name.encode(), unit, ctypes.byref(record)) != capi.TYN_OK:
+            raise InvalidArgumentError(f"metres_per_unit is {unit:g}, with which the coefficients are not finite")
         return cls(
             [decimal(one) for one in record.sigma_a],
             [decimal(one) for one in record.sigma_s],
@@ -194,7 +195,7 @@ class Medium:
         """The same medium in another unit of length. InvalidArgumentError if this one's unit is not known."""
         if self.metres_per_unit is None:
             raise InvalidArgumentError("the medium does not say its unit; make it with metres_per_unit")
-        factor = metres_per_unit / self.metres_per_unit
+        factor = _positive(metres_per_unit, "metres_per_unit") / self.metres_per_unit
         return Medium(
             self.sigma_a * factor, self.sigma_s * factor, g=self.g, ior=self.ior, phase=self.phase, name=self.name,
             metres_per_unit=metres_per_unit,
@@ -206,8 +207,7 @@ class Medium:
 
         Errors: InvalidArgumentError, also if the unit is not known or is said twice, differently."""
         unit = self._unit(metres_per_unit)
-        length = number(reference_length, "reference_length")
-        require(0 < length < np.inf, "reference_length", length, "> 0 and finite")
+        length = _positive(reference_length, "reference_length")
         columns = [self._described(channel, unit, length) for channel in range(self.channels)]
         names = [field.name for field in fields(MediumDescription)]
         return MediumDescription(*(np.array([getattr(one, name)[0] for one in columns], np.float64) for name in names))
@@ -218,8 +218,7 @@ class Medium:
             if self.metres_per_unit is None:
                 raise InvalidArgumentError("the medium does not say its unit; give metres_per_unit")
             return self.metres_per_unit
-        given = number(metres_per_unit, "metres_per_unit")
-        require(0 < given < np.inf, "metres_per_unit", given, "> 0 and finite")
+        given = _positive(metres_per_unit, "metres_per_unit")
         if self.metres_per_unit not in (None, given):
             raise InvalidArgumentError(f"metres_per_unit is {given:g}, but the medium's own is {self.metres_per_unit:g}")
         return given
@@ -256,6 +255,12 @@ class Medium:
         name = "" if self.name is None else f' "{self.name}"'
         unit = "" if self.metres_per_unit is None else f", metres_per_unit={self.metres_per_unit:g}"
         return f"<tyndall.Medium{name} sigma_a={self.sigma_a} sigma_s={self.sigma_s} g={self.g:.4g} ior={self.ior:g}{unit}>"
+
+
+def _positive(value: float, name: str) -> float:
+    given = number(value, name)
+    require(0 < given < np.inf, name, given, "> 0 and finite")
+    return given
 
 
 def _coefficients(values: NDArray[np.float64], name: str) -> NDArray[np.float64]:

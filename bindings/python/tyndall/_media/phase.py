@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from .._core.arrays import array, data
-from .._core.numbers import UINT64, integer, require, shaped
+from .._core.numbers import UINT32, UINT64, integer, number, require, shaped
 from .._core.status import error_of
 from ..errors import InvalidArgumentError
 from .mie import MIE_LARGEST, check_lognormal, mie, mie_cosines, mie_lognormal
@@ -37,7 +37,10 @@ class Phase:
         values: ArrayLike | None = None,
     ) -> None:
         """A phase function by the number of its kind, capi.TYN_PHASE_*; the class methods are the usual way."""
-        self._record = capi.TynPhase(kind=kind, g=float(g), g2=float(g2), weight=float(weight), alpha=float(alpha))
+        numbers = {"g": g, "g2": g2, "weight": weight, "alpha": alpha}
+        self._record = capi.TynPhase(
+            kind=integer(kind, "kind", 0, UINT32), **{name: number(value, name) for name, value in numbers.items()}
+        )
         self._table: tuple[NDArray[np.float64], ...] = ()
         if kind == capi.TYN_PHASE_TABULATED:
             table = array([] if cosines is None else cosines, "cosines", np.float64, (None,)).copy()

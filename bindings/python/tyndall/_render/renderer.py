@@ -16,7 +16,7 @@ from .._bssrdf.models import model_choice
 from .._core.arrays import data
 from .._core.choices import choice
 from .._core.handles import Handle
-from .._core.numbers import UINT32, integer
+from .._core.numbers import UINT32, UINT64, integer, number
 from .._core.progress import LongCall, Progress
 from .._scene.camera import Camera
 from .._scene.scene import Scene
@@ -85,8 +85,9 @@ class Renderer(Handle):
         if not isinstance(scene, Scene):
             raise InvalidArgumentError(f"scene is {scene!r}; it must be a tyndall.Scene")
         options = capi.TynRenderOptions(
-            width=width, height=height, seed=seed, max_bounces=max_bounces, exit=choice(exit, "exit", _EXITS),
-            bssrdf=capi.TYN_NONE if bssrdf is None else model_choice(bssrdf, "bssrdf"),
+            width=integer(width, "width", 0, UINT32), height=integer(height, "height", 0, UINT32),
+            seed=integer(seed, "seed", 0, UINT64), max_bounces=integer(max_bounces, "max_bounces", 0, UINT32),
+            exit=choice(exit, "exit", _EXITS), bssrdf=capi.TYN_NONE if bssrdf is None else model_choice(bssrdf, "bssrdf"),
         )  # fmt: skip
         _ = scene.handle
         if not scene.committed:
@@ -114,7 +115,9 @@ class Renderer(Handle):
         with fewer samples, as does an exception that `progress` raises.
         """
         budget = capi.TynRenderBudget(
-            samples=integer(spp, "spp", 0, UINT32), seconds=float(seconds), target_error=float(target_error)
+            samples=integer(spp, "spp", 0, UINT32),
+            seconds=number(seconds, "seconds"),
+            target_error=number(target_error, "target_error"),
         )
         with LongCall(progress, "render") as call:
             budget.progress = call.callback

@@ -12,6 +12,7 @@ from typing import Any, Union
 from .. import capi
 from .._bssrdf.paths import Path, path_bytes, text_bytes
 from .._core.handles import Handle
+from .._core.numbers import UINT64, integer
 from .._core.progress import LongCall
 from ..errors import InvalidArgumentError, TyndallWarning
 
@@ -67,8 +68,10 @@ class SceneFiles(Handle):
         pairs = _assignments(medium)
         records = (capi.TynMediumAssignment * len(pairs))(*pairs)
         options = capi.TynGltfOptions(
-            assignments=records, assignment_count=len(pairs), skip_lights=0 if lights else 1, max_file_bytes=max_file_bytes,
-            max_triangles=max_triangles, max_image_pixels=max_image_pixels, warning=hear,
+            assignments=records, assignment_count=len(pairs), skip_lights=0 if lights else 1,
+            max_file_bytes=integer(max_file_bytes, "max_file_bytes", 0, UINT64),
+            max_triangles=integer(max_triangles, "max_triangles", 0, UINT64),
+            max_image_pixels=integer(max_image_pixels, "max_image_pixels", 0, UINT64), warning=hear,
         )  # fmt: skip
         name = path_bytes(path)
         with LongCall(None, "load"):  # puts Ctrl-C off, which must not come inside `hear`

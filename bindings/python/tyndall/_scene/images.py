@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from .._core.arrays import array
+from .._core.text import optional_name
 from ..errors import InvalidArgumentError
 
 
@@ -29,7 +30,7 @@ def image_record(pixels: ArrayLike, srgb: bool | None, name: str | None) -> Any:
     else:
         kind = capi.TYN_IMAGE_RGBA8_SRGB if srgb is None or srgb else capi.TYN_IMAGE_RGBA8_LINEAR
     height, width = rows.shape[:2]
-    record = capi.TynImage(name=name, width=width, height=height, format=kind)
+    record = capi.TynImage(name=optional_name(name), width=width, height=height, format=kind)
     record.pixels = rows.ctypes.data
     record.row_stride = rows.strides[0] if height > 1 else 0
     record.keep = rows

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from .. import capi
 from .._core.arrays import shown
 from .._core.context import ContextHandle
-from .._core.numbers import decimal, index
+from .._core.numbers import decimal, index, number
 from .._core.progress import LongCall
+from .._core.text import optional_name
 from .._media.medium import Medium
 from .._media.phase import Phase
 from ..errors import InvalidArgumentError
@@ -40,12 +41,13 @@ class Scene(SceneFiles):
 
     def __init__(self, context: ContextHandle, metres_per_unit: float = 1.0) -> None:
         """An empty scene; see `Context.scene`."""
-        options = capi.TynSceneOptions(metres_per_unit=float(metres_per_unit))
+        unit = number(metres_per_unit, "metres_per_unit")
+        options = capi.TynSceneOptions(metres_per_unit=unit)
         pointer = ctypes.POINTER(capi.TynScene)()
         context._call(capi.lib.tyn_scene_create, context.handle, ctypes.byref(options), ctypes.byref(pointer))
         super().__init__(pointer, capi.lib.tyn_scene_release, context)
         self._context = context
-        self._metres_per_unit = float(metres_per_unit)
+        self._metres_per_unit = unit
         self._committed = False
         self._clear: dict[int, Material] = {}  # by medium
         self._known: dict[int, tuple[object, int]] = {}  # by id: media and materials that were added, and their indices
@@ -118,7 +120,7 @@ class Scene(SceneFiles):
         Errors: InvalidArgumentError (which element, its value), InvalidOperationError, OutOfMemoryError. A Medium or Material
         that was added first stays.
         """
-        record = mesh_record(positions, triangles, normals, uvs, triangle_materials, name=name)
+        record = mesh_record(positions, triangles, normals, uvs, triangle_materials, name=optional_name(name))
         if medium is not None:
             record.medium = self.add_medium(medium) if isinstance(medium, Medium) else index(medium, "medium")
         if material is None and triangle_materials is None and record.medium < self.info.medium_count:
@@ -178,7 +180,7 @@ class Scene(SceneFiles):
         """A view of the whole scene: from the front, slightly above, 30 degrees field of view. aspect_ratio: the film's,
         width / height, > 0."""
         record = capi.TynCamera()
-        self._call(capi.lib.tyn_scene_frame, self.handle, float(aspect_ratio), ctypes.byref(record))
+        self._call(capi.lib.tyn_scene_frame, self.handle, number(aspect_ratio, "aspect_ratio"), ctypes.byref(record))
         return Camera.of(record)
 
     def _add(self, function: Any, record: Any) -> int:
@@ -198,10 +200,10 @@ class Scene(SceneFiles):
         self._known[id(item)] = (item, result)
         return result
 
-    def _read(self, function: Any, number: int, record: Any, copy: Callable[[Any], _T]) -> _T:
+    def _read(self, function: Any, which: int, record: Any, copy: Callable[[Any], _T]) -> _T:
         """What `copy` makes of the record that is read. It points into the scene, so it is copied before another thread may
         close that."""
-        place = index(number, "index")
+        place = index(which, "index")
         copies: list[_T] = []
 
         def read() -> int:

@@ -89,7 +89,7 @@ class SlabCalls(ContextHandle):
         `result` is the SlabResult of what was done.
         """
         found = stack(layers)
-        slab = slab_record(found, number(ior_above, "ior_above"), number(ior_below, "ior_below"))
+        slab = slab_record(found, ior_above, ior_below)
         options = capi.TynSlabOptions(
             incidence=choice(incidence, "incidence", INCIDENCES),
             angle=number(angle, "angle"),

@@ -13,7 +13,7 @@ from typing import Any, Union
 import numpy as np
 
 from .. import capi
-from .._core.arrays import data
+from .._core.arrays import data, shown
 from .._core.numbers import number
 from .._media.medium import Medium
 from ..errors import InvalidArgumentError
@@ -44,6 +44,9 @@ def stack(layers: Layers) -> list[Layer]:
     found = [Layer(one) if isinstance(one, Medium) else one for one in layers] if isinstance(layers, Iterable) else []
     if not found or not all(isinstance(one, Layer) for one in found):
         raise InvalidArgumentError("layers must be a Medium, a Layer, or one or more of Layer")
+    for place, one in enumerate(found):
+        if not isinstance(one.medium, Medium):
+            raise InvalidArgumentError(f"the medium of layer {place} is {shown(one.medium)}; it must be a tyndall.Medium")
     units = {one.medium.metres_per_unit for one in found}
     if len(units) > 1:
         raise InvalidArgumentError(
@@ -76,7 +79,11 @@ def slab_record(layers: Layers, ior_above: float, ior_below: float) -> Any:
         if medium.phase is not None:
             records[index].phase = ctypes.pointer(medium.phase.record)
     slab = capi.TynSlab(
-        channel_count=channels, layer_count=len(found), layers=records, ior_above=float(ior_above), ior_below=float(ior_below)
+        channel_count=channels,
+        layer_count=len(found),
+        layers=records,
+        ior_above=number(ior_above, "ior_above"),
+        ior_below=number(ior_below, "ior_below"),
     )
     slab.keep = keep
     return slab

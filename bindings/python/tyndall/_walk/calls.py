@@ -14,6 +14,7 @@ from .. import capi
 from .._core.arrays import record_data, records
 from .._core.context import ContextHandle
 from .._core.dtypes import WALK_ENTRY
+from .._core.numbers import UINT32, UINT64, integer, number
 from .._core.progress import LongCall, Progress
 from .._scene.scene import Scene, scene_of
 from ..errors import CancelledError, InvalidArgumentError
@@ -25,10 +26,10 @@ from .ledger import Ledger
 def walk_options(seed: int, first_path: int, max_scatterings: int, roulette_threshold: float, roulette: bool) -> Any:
     """The TynWalkOptions of a call's arguments."""
     return capi.TynWalkOptions(
-        seed=seed,
-        first_path=first_path,
-        max_scatterings=max_scatterings,
-        roulette_threshold=float(roulette_threshold),
+        seed=integer(seed, "seed", 0, UINT64),
+        first_path=integer(first_path, "first_path", 0, UINT64),
+        max_scatterings=integer(max_scatterings, "max_scatterings", 0, UINT32),
+        roulette_threshold=number(roulette_threshold, "roulette_threshold"),
         roulette_off=0 if roulette else 1,
     )
 

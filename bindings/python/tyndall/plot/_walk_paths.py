@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .. import capi
 from .._core.dtypes import WALK_ENTRY
+from .._core.numbers import UINT32, integer
 from .._scene.scene import Scene
 from ..context import Context
 from ..errors import InvalidArgumentError, InvalidOperationError
@@ -32,8 +33,7 @@ def walk_paths(
     """
     if not isinstance(scene, Scene):
         raise InvalidArgumentError(f"scene is {scene!r}; it must be a tyndall.Scene")
-    if max_scatterings < 1:
-        raise InvalidArgumentError(f"max_scatterings is {max_scatterings}; it must be >= 1")
+    longest = integer(max_scatterings, "max_scatterings", 1, UINT32)
     given = np.atleast_1d(np.asarray(entries))
     if given.dtype != WALK_ENTRY:
         raise InvalidArgumentError("entries must be an array of the type WALK_ENTRY, as walk_entries makes it")
@@ -43,7 +43,7 @@ def walk_paths(
         raise InvalidOperationError("the scene's context cannot walk")
     points = [[position.copy()] for position in given["position"]]
     alive = np.arange(len(given))
-    for cap in range(1, max_scatterings + 1):
+    for cap in range(1, longest + 1):
         exits = context.walk(
             scene, _numbered(given, alive), seed=seed, first_path=first_path, max_scatterings=cap, roulette=False
         )  # fmt: skip
