@@ -3,6 +3,7 @@
 """Numbers, integers and names that callers give: what is none is an InvalidArgumentError that names the argument, and what is
 an integer for one call is one for all."""
 
+import warnings
 from collections.abc import Iterator
 from typing import Any, Callable
 
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 import tyndall as ty
-from tyndall.errors import InvalidArgumentError
+from tyndall.errors import InvalidArgumentError, OutOfMemoryError
 
 MEDIUM = ty.Medium(0.1, 4)
 LIT = ty.Environment(radiance=1.0)
@@ -137,3 +138,60 @@ def test_counts_of_buffers_are_those_of_c(context: ty.Context, scene: ty.Scene, 
     for count in (1 << 40, 7.0):
         context.walk_cl(scene, 64, count, 64, ledger=False)  # type: ignore[arg-type]
     assert counts == [1 << 40, 7]
+
+
+def test_counts_without_memory_for_them(context: ty.Context) -> None:
+    with context.bssrdf("better-dipole", MEDIUM) as model:
+        for count in (1 << 50, 1 << 62, (1 << 64) - 1):
+            for call in (model.sample, ty.Phase.rayleigh().sample, ty.Phase.rayleigh().moments):
+                with pytest.raises(OutOfMemoryError, match=f"count is {count}; there is no memory for so many"):
+                    call(count)
+
+
+def test_huge_views_of_few_numbers(context: ty.Context) -> None:
+    """Their shape is looked at before they are copied, and if it is allowed, that there is no memory is said by us."""
+    huge = np.broadcast_to(np.float64(1), (1 << 50,))
+    for call in (
+        lambda: ty.Phase.tabulated(np.broadcast_to(1.0, (2, 1 << 50)), [1, 1]),
+        lambda: ty.Camera.look_at(huge, [0, 0, 0]),
+        lambda: ty.Medium(1, 1, g=huge),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(InvalidArgumentError, match=r"has the shape \(.*1125899906842624,?\); it must be"):
+            call()
+    with pytest.raises(OutOfMemoryError, match=r"no memory for radii, an array of shape \(1125899906842624,\)"):
+        context.bssrdf("better-dipole", MEDIUM).profile(huge)
+    with context.scene() as scene, pytest.raises(InvalidArgumentError, match="sides must be 1 to 32768"):
+        scene.add_image(np.broadcast_to(np.uint8(1), (1 << 24, 1 << 24, 3)))
+
+
+def test_masked_elements_are_refused(context: ty.Context, scene: ty.Scene) -> None:
+    def masked(values: Any, dtype: Any = np.float32) -> Any:
+        result = np.ma.array(np.array(values, dtype))
+        result[..., 0] = np.ma.masked
+        return result
+
+    entries = ty.walk_entries([[0, 0, 0], [0, 0, 0]], [0, 0, 1])
+    calls: dict[str, Callable[[], object]] = {
+        "sigma_a": lambda: ty.Medium(masked([1, 2, 3]), 1),
+        "position": lambda: ty.walk_entries(masked([0, 0, 0]), [0, 0, 1]),
+        "mesh": lambda: ty.walk_entries([0, 0, 0], [0, 0, 1], mesh=masked([0, 0], np.uint32)),
+        "path": lambda: ty.walk_entries([0, 0, 0], [0, 0, 1], path=masked([0, 0], np.uint64)),
+        "entries": lambda: context.walk(scene, np.ma.array(entries, mask=[True, False])),
+        "rays": lambda: context.intersect(scene, np.ma.array(ty.rays([[0, 0, 3]] * 2, [0, 0, -1]), mask=[True, False])),
+        "positions": lambda: context.scene().add_mesh(masked(np.eye(3)), [[0, 1, 2]]),
+        "triangles": lambda: context.scene().add_mesh(np.eye(3), masked([[0, 1, 2]], np.uint32)),
+        "pixels": lambda: context.scene().add_image(masked(np.zeros((1, 1, 4)))),
+    }
+    for name, call in calls.items():
+        with pytest.raises(InvalidArgumentError, match=f"{name} is a masked array with masked elements"):
+            call()
+    assert ty.Medium(np.ma.array([1.0, 2.0, 3.0]), 1).sigma_a.tolist() == [1, 2, 3]  # nothing is masked
+
+
+@pytest.mark.parametrize("channels", [3, 4])
+def test_pixels_that_float32_cannot_hold(context: ty.Context, channels: int) -> None:
+    pixels = np.full((2, 2, channels), 1e300)
+    with context.scene() as scene, warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(InvalidArgumentError, match="inf"):
+            scene.add_image(pixels)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array, data, record_data
+from .._core.arrays import array, data, record_data, room
 from .._core.choices import choice
 from .._core.context import ContextHandle
 from .._core.handles import Handle
@@ -121,7 +121,7 @@ class Bssrdf(Handle):
         Where no channel has an albedo, all results are 0.
         """
         n = integer(count, "count", 0, UINT64)
-        radii, pdf, weights = np.empty(n, np.float32), np.empty(n, np.float32), np.empty((self.channels, n), np.float32)
+        radii, pdf, weights = room((n,), "count"), room((n,), "count"), room((self.channels, n), "count")
         self._call(
             capi.lib.tyn_bssrdf_sample, self.handle, integer(seed, "seed", 0, UINT64),
             integer(first, "first", 0, UINT64), n, data(radii), data(pdf), data(weights),

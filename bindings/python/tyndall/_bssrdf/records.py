@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array, records
+from .._core.arrays import array, records, unmasked
 from .._core.broadcast import words
 from ..errors import InvalidArgumentError
 
@@ -34,7 +34,7 @@ def structured(
     if given is not None:
         if len(missing) < len(vectors):
             raise InvalidArgumentError(f"give either {name} or {', '.join(vectors)}, not both")
-        found = np.asarray(given)
+        found = unmasked(given, name)
         return records(found.reshape(-1), name, dtype).reshape(found.shape)
     if missing:
         raise InvalidArgumentError(f"without {name}, {' and '.join(missing)} must be given")

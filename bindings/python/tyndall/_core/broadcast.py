@@ -12,13 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
 from ..errors import InvalidArgumentError
-from .arrays import array, shown
+from .arrays import array, refuse_masked, shown, unmasked
 from .numbers import UINT64, integer
 
 
 def indices(value: Any, name: str) -> NDArray[np.uint32]:
     """`value` as uint32, without a copy if it is that already. None stands for no index, TYN_NONE."""
-    given = np.asarray(capi.TYN_NONE if value is None else value)
+    given = unmasked(capi.TYN_NONE if value is None else value, name)
     if given.dtype == np.uint32:
         return given
     if given.size == 0:
@@ -33,6 +33,7 @@ def indices(value: Any, name: str) -> NDArray[np.uint32]:
 
 def words(value: ArrayLike, name: str) -> NDArray[np.uint32]:
     """Integers in [0, 2^64) as their low and high words, on a new last axis."""
+    refuse_masked(value, name)
     try:
         given = np.asarray(value)
         if given.size > 0 and given.dtype.kind not in "iu":  # numpy makes float64 of [1, 2**63 + 1]

@@ -13,13 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array, data
+from .._core.arrays import array, data, room
 from .._core.numbers import UINT32, UINT64, integer, number, require, shaped
 from .._core.status import error_of
 from ..errors import InvalidArgumentError
 from .mie import MIE_LARGEST, check_lognormal, mie, mie_cosines, mie_lognormal
-
-_MOST_NUMBERS = 1 << 40
 
 
 class Phase:
@@ -133,7 +131,7 @@ class Phase:
     def sample(self, count: int, seed: int = 0, first: int = 0) -> NDArray[np.float64]:
         """`count` cosines drawn with the density `pdf`, by the code that the device runs, in single precision. Cosine i
         depends on seed and first + i alone, each in [0, 2^64)."""
-        result = np.empty(integer(count, "count", 0, _MOST_NUMBERS))
+        result = room((integer(count, "count", 0, UINT64),), "count", np.float64)
         numbers = integer(seed, "seed", 0, UINT64), integer(first, "first", 0, UINT64)
         _check(capi.lib.tyn_phase_sample(ctypes.byref(self._record), *numbers, len(result), data(result)))
         return result
@@ -141,7 +139,7 @@ class Phase:
     def moments(self, count: int) -> NDArray[np.float64]:
         """The Legendre moments 2 pi int p(cos) P_l(cos) d cos for l = 0 to count - 1: the first is 1, the second the mean
         cosine."""
-        result = np.empty(integer(count, "count", 0, _MOST_NUMBERS))
+        result = room((integer(count, "count", 0, UINT64),), "count", np.float64)
         _check(capi.lib.tyn_phase_moments(ctypes.byref(self._record), len(result), data(result)))
         return result
 

@@ -10,16 +10,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array
+from .._core.arrays import array, unmasked
 from .._core.text import optional_name
 from ..errors import InvalidArgumentError
+
+_LARGEST_SIDE = 32768
 
 
 def image_record(pixels: ArrayLike, srgb: bool | None, name: str | None) -> Any:
     """A TynImage. It keeps alive what it points to."""
-    given = np.asarray(pixels)
+    given = unmasked(pixels, "pixels")
     if given.ndim != 3 or given.shape[2] not in (3, 4):
         raise InvalidArgumentError(f"pixels has the shape {given.shape}; it must be height x width x 3 or 4")
+    if max(given.shape[:2]) > _LARGEST_SIDE:
+        raise InvalidArgumentError(f"pixels has the shape {given.shape}; its sides must be 1 to {_LARGEST_SIDE} pixels")
     if given.dtype != np.uint8 and given.dtype.kind != "f":
         raise InvalidArgumentError(f"pixels is of type {given.dtype}; it must be uint8 or float32")
     if given.dtype != np.uint8 and srgb:
@@ -41,8 +45,9 @@ def _rgba(given: NDArray[Any]) -> NDArray[Any]:
     """Four channels of uint8 or float32 without gaps in the rows, which may be apart; the pixels themselves if they are so."""
     kind = np.dtype(np.uint8 if given.dtype == np.uint8 else np.float32)
     if given.shape[2] == 3:
+        colors = array(given, "pixels", kind)
         opaque = np.full((*given.shape[:2], 4), 255 if kind == np.uint8 else 1, kind)
-        opaque[..., :3] = given
+        opaque[..., :3] = colors
         return opaque
     tight = given.strides[1:] == (4 * kind.itemsize, kind.itemsize) and given.strides[0] >= given.shape[1] * 4 * kind.itemsize
     return given if given.dtype == kind and tight else array(given, "pixels", kind)

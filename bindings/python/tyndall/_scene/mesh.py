@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array, data
+from .._core.arrays import array, data, unmasked
 from .._core.broadcast import indices
 from ..errors import InvalidArgumentError
 
 
 def vertices(value: ArrayLike, name: str, width: int) -> NDArray[np.float32]:
     """n x width float32, each row without gaps; a view whose rows are apart is not copied."""
-    given = np.asarray(value)
+    given = unmasked(value, name)
     in_rows = given.dtype == np.float32 and given.ndim == 2 and given.shape[1] == width
     if in_rows and given.strides[1] == 4 and given.strides[0] >= 4 * width:
         return given

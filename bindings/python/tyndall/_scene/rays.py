@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import array, data, record_data, records
+from .._core.arrays import array, data, record_data, records, unmasked
 from .._core.broadcast import filled, vectors
 from .._core.context import ContextHandle
 from .._core.dtypes import HIT, RAY
@@ -101,7 +101,7 @@ class RayCalls(ContextHandle):
 
 
 def _rays(given: ArrayLike, direction: ArrayLike | None, t_min: ArrayLike, t_max: ArrayLike) -> NDArray[Any]:
-    found = np.asarray(given)
+    found = unmasked(given, "rays")
     if found.dtype.names is None:
         if direction is None:
             raise InvalidArgumentError("rays must be an array of the type tyndall.RAY, or origins with a direction")

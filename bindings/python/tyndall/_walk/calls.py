@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import capi
-from .._core.arrays import record_data, records
+from .._core.arrays import record_data, records, unmasked
 from .._core.context import ContextHandle
 from .._core.dtypes import WALK_ENTRY
 from .._core.numbers import UINT32, UINT64, integer, number
@@ -114,7 +114,7 @@ def _with_ledger(exits: Exits, ledger: Any) -> Exits:
 
 
 def _entries(entries: ArrayLike, fields: dict[str, Any]) -> NDArray[Any]:
-    given = np.asarray(entries)
+    given = unmasked(entries, "entries")
     if given.dtype.names is None:
         return walk_entries(entries, **fields)
     usual = walk_entries.__kwdefaults__ or {}
