@@ -88,6 +88,28 @@ def test_bands_of_exact_are_two_standard_errors() -> None:
         assert not plot.profile(model, radii=[0.5, 1.0], errors=False).collections
 
 
+def test_measured_profiles_are_steps_per_light_that_gets_in(context: ty.Context) -> None:
+    medium = ty.Medium(0.1, 0.9, ior=1.5)
+    result = context.slab(medium, photons=20000, radial=(5.0, 10))
+    ax = plot.profile({"walks": result, "model": context.bssrdf("better-dipole", medium)}, radii=[0.5, 1.0, 5.0])
+    (steps,) = (one for one in ax.patches if one.get_label() == "walks")
+    values, edges, _ = steps.get_data()
+    surface = ((1.5 - 1) / (1.5 + 1)) ** 2  # Fresnel, perpendicularly
+    np.testing.assert_allclose(values, np.asarray(result.radial.reflectance)[:, 0] / (1 - surface), rtol=1e-6)
+    np.testing.assert_allclose(edges, [0.25, *np.arange(1, 11) / 2])  # not from 0, which the axis does not have
+    (band,) = ax.collections
+    corners = band.get_paths()[0].vertices
+    spread = 2 * result.radial.reflectance.stderr[:, 0] / (1 - surface)
+    for place in range(10):
+        heights = [y for x, y in corners if edges[place] <= x < edges[place + 1]]
+        for expected in (values[place] - spread[place], values[place] + spread[place]):
+            assert np.min(np.abs(np.array(heights) / expected - 1)) < 1e-6
+    assert legend(ax) == ["walks", "model"] and ax.get_xlim() == (0.5, 5)
+    alone = plot.profile(result, errors=False)
+    assert not alone.collections and alone.get_xlim() == (0.25, 5) and legend(alone) == ["walks"]
+    assert alone.get_ylim()[0] < values.min() and alone.get_ylim()[1] > values.max()
+
+
 def test_bad_profiles(context: ty.Context) -> None:
     grey, color = (context.bssrdf("standard-dipole", one) for one in (GREY, SKIN))
     other_unit = context.bssrdf("standard-dipole", SKIN.converted(1.0))
@@ -96,6 +118,9 @@ def test_bad_profiles(context: ty.Context) -> None:
         (lambda: plot.profile("standard-dipole"), "there is no medium"),
         (lambda: plot.profile("dipole", GREY, context=context), "model is 'dipole'"),
         (lambda: plot.profile([3]), "models holds 3"),
+        (lambda: plot.profile(context.slab(GREY, photons=1)), r"walks is a SlabResult without R\(r\)"),
+        (lambda: plot.profile([color, context.slab(GREY, photons=1, radial=(1, 2))]), r"\[1, 3\] channels"),
+        (lambda: plot.albedo(context.slab(GREY, photons=1)), "models must be names"),
         (lambda: plot.profile([grey, color]), r"\[1, 3\] channels"),
         (lambda: plot.profile([color, other_unit]), "different units"),
         (lambda: plot.profile(grey, radii=[0.0, 1.0]), r"radii\[0\] is 0"),

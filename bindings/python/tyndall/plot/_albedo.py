@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._bssrdf.models import Bssrdf
 from .._core.arrays import array
 from .._media.medium import Medium
 from .._media.phase import Phase
@@ -19,7 +18,7 @@ from ..errors import InvalidArgumentError
 from ._axes import axes, channel_colors, line_style, load, model_color, plain_style
 from ._models import Models, named
 
-_MODELS: dict[str, str | Bssrdf] = {
+_MODELS: dict[str, str] = {
     "exact": "normalized-diffusion",
     "photon-beam-diffusion": "photon-beam-diffusion",
     "better-dipole": "better-dipole",
@@ -57,7 +56,7 @@ def albedo(
     where = 1 - np.linspace(1, 0, 41) ** 2 if single_scattering_albedo is None else single_scattering_albedo
     x = np.unique(array(where, "single_scattering_albedo", np.float64, (None,)))
     names = named(_MODELS if models is None else models)
-    if any(isinstance(one, Bssrdf) for one in names.values()):
+    if not all(isinstance(one, str) for one in names.values()):
         raise InvalidArgumentError("models must be names here: they are made of many media")
     maker = context or default_context()
     medium = Medium.from_albedo(x, g=g, ior=ior, phase=phase)  # a channel for each albedo
