@@ -126,3 +126,16 @@ def test_media_travel():
 def test_bad_arguments_are_named(call, message):
     with pytest.raises(InvalidArgumentError, match=message):
         call()
+
+
+def test_a_medium_never_changes() -> None:
+    medium = ty.Medium([1.0, 2.0], 3.0)
+    for name, value in (("ior", 3.0), ("sigma_a", np.zeros(2)), ("sigma_t", 1.0), ("sigma", 1.0)):
+        with pytest.raises(AttributeError, match=f"never changes.*{name}"):
+            setattr(medium, name, value)
+    with pytest.raises(ValueError, match="read-only"):
+        medium.sigma_a[0] = 5.0
+    again = pickle.loads(pickle.dumps(medium))
+    assert np.array_equal(again.sigma_a, medium.sigma_a)
+    with pytest.raises(AttributeError, match="never changes"):
+        again.g = 0.5

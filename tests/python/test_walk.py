@@ -340,7 +340,7 @@ def test_what_progress_raises_is_raised(context: ty.Context, milk: ty.Scene) -> 
         ({"position": "middle"}, "position must be numbers"),
         ({"position": np.zeros((2, 3)), "direction": np.zeros((3, 3))}, "do not broadcast against one another"),
         ({"direction": [0, 0, 0.5]}, r"entry 0: direction is \(0, 0, 0.5\) of length 0.5; it must have unit length"),
-        ({"direction": None}, "entry 0: triangle is 4294967295"),
+        ({"direction": None}, "there is no direction: give one, or a triangle"),
         ({"direction": None, "kind": "inside"}, 'direction is needed by walks of a kind other than "cosine"'),
         ({"kind": "sideways"}, 'kind is .*sideways.*; it must be one of "inside", "refract", "cosine"'),
         ({"kind": 1}, 'kind is .*1.*; it must be one of "inside", "refract", "cosine"'),

@@ -10,6 +10,7 @@ from typing import Union
 
 from .. import capi
 from .._bssrdf.paths import Path, path_bytes, text_bytes
+from .._core.arrays import shown
 from .._core.choices import choice
 from .._core.numbers import number
 from .._render.image import Image
@@ -71,5 +72,5 @@ def write_png(
 def _renderer(image: Picture) -> Renderer:
     found = image.renderer if isinstance(image, Image) else image
     if not isinstance(found, Renderer):
-        raise InvalidArgumentError(f"image is {image!r}; it must be a tyndall.Image or a tyndall.Renderer")
+        raise InvalidArgumentError(f"image is {shown(image)}; it must be a tyndall.Image or a tyndall.Renderer")
     return found

@@ -48,8 +48,8 @@ class Medium:
     """What light travels through: absorption, scattering, a phase function and an index of refraction. It never changes.
 
     Coefficients are per unit of length. Which unit that is, is the caller's choice, unless `metres_per_unit` says it: then a
-    scene, whose unit is known too, gets them converted. Slabs and BSSRDF models take any number of spectral channels; scenes
-    take 1 or 3 (linear RGB, Rec.709).
+    scene, whose unit is known too, gets them converted. Slabs and BSSRDF models take 1 to 1024 spectral channels; scenes take
+    1 or 3 (linear RGB, Rec.709).
     """
 
     def __init__(
@@ -97,6 +97,13 @@ class Medium:
         self.ior = index
         self.name = optional_name(name)
         self.metres_per_unit = None if metres_per_unit is None else _positive(metres_per_unit, "metres_per_unit")
+        self._made = True
+
+    def __setattr__(self, name: str, value: object) -> None:
+        # Scenes know a medium that was added before by the object.
+        if "_made" in self.__dict__:
+            raise AttributeError(f"a Medium never changes: make another one to have a different {name}")
+        object.__setattr__(self, name, value)
 
     @classmethod
     def preset(cls, name: str, metres_per_unit: float = MILLIMETRE) -> Medium:

@@ -40,7 +40,8 @@ class RenderCalls(ContextHandle):
         seed: >= 0, < 2^64. Same scene, options and number of samples: the same bits.
         max_bounces: surface interactions of a path, >= 1; a walk counts as one. Roulette ends most before.
         exit: how light that was scattered inside a medium leaves it: "diffuse", by the normalized-Fresnel cosine lobe, with
-            little noise, or "dielectric", in the walk's own refracted direction, which is exact, with more noise.
+            little noise, or "dielectric", in the walk's own refracted direction, which is exact, with more noise; light
+            of lights without size, which no such direction meets, goes through the diffuse lobe all the same.
         bssrdf: None: light walks; or one of `bssrdf_models()` that takes its place, an approximation for surfaces that are flat
             over a few mean free paths (not "gaussians", and not with exit="dielectric").
 
@@ -74,6 +75,7 @@ class RenderCalls(ContextHandle):
         The others are as in `renderer`.
 
         Errors: those of `renderer` and `Renderer.run`. `CancelledError.result` is the Image of what was done.
+        Ctrl-C raises KeyboardInterrupt, and the film is lost; that of a Renderer is kept.
         """
         names = layer_names(layers)
         renderer = self._renderer(scene, width, height, camera, seed, max_bounces, exit, bssrdf)

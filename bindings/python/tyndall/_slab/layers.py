@@ -32,7 +32,7 @@ INCIDENCES = {"collimated": capi.TYN_INCIDENCE_COLLIMATED, "diffuse": capi.TYN_I
 """Light along one direction, or radiance equal from everywhere above (cosine-distributed flux)."""
 
 Layers = Union[Medium, Layer, Sequence[Layer]]
-"""A stack from the top: layers, or one layer, or a medium, which is a half-space."""
+"""A stack from the top: 1 to 64 layers, or one layer, or a medium, which is a half-space."""
 
 
 def stack(layers: Layers) -> list[Layer]:

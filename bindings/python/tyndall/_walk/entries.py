@@ -51,6 +51,8 @@ def walk_entries(
     roughness: GGX alpha of the boundary seen from inside, [0, 1]; 0: smooth; ignored when index-matched.
     path: integers in [0, 2^64), added to first_path + the entry's place in the batch: chooses the random numbers.
     """
+    if kind is None and direction is None and triangle is None:
+        raise InvalidArgumentError('there is no direction: give one, or a triangle, for the kind "cosine"')
     if kind is None:
         kind = "cosine" if direction is None else "inside" if triangle is None else "refract"
     if direction is None and not np.all(np.asarray(kind) == "cosine"):

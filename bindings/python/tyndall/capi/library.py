@@ -41,7 +41,10 @@ def _open(path: str) -> ctypes.CDLL:
         return ctypes.CDLL(path)
     except OSError as error:
         if "libOpenCL" not in str(error):
-            raise ImportError(f"the Tyndall library was not loaded: {error}") from None
+            source = (
+                "" if os.path.dirname(path) else "; this package has none of its own: pip install it, or set TYNDALL_LIBRARY"
+            )
+            raise ImportError(f"the Tyndall library was not loaded: {error}{source}") from None
         hint = f"{error} (the OpenCL loader: Debian and Ubuntu have it as ocl-icd-libopencl1)"
     loader = driver.loader()
     if loader is None:
