@@ -4,10 +4,11 @@
 
 from __future__ import annotations
 
+# The module that signal's functions call, and make enumerations of what it says: most of what a short call would cost.
+import _signal  # type: ignore[import-not-found]
 import signal
 import threading
 
-# Not signal.getsignal, which makes an enumeration of each answer: most of what a short call would cost.
 from types import FrameType, TracebackType
 from typing import Any, Callable, ClassVar, Union
 
@@ -80,18 +81,18 @@ class LongCall:
         if threading.current_thread() is threading.main_thread():
             self._outer, LongCall._innermost = LongCall._innermost, self
             for number in _SIGNALS:
-                handler = signal.getsignal(number)
+                handler = _signal.getsignal(number)
                 if callable(handler):
                     self._before[number] = handler
                     # within another call's report: that call ends by what this one raises
                     self._handlers[number] = self._outer._handlers.get(number, handler) if self._outer else handler
-                    signal.signal(number, self._note)
+                    _signal.signal(number, self._note)
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         for number, handler in self._before.items():
-            if signal.getsignal(number) == self._note:
-                signal.signal(number, handler)
+            if _signal.getsignal(number) == self._note:
+                _signal.signal(number, handler)
         if LongCall._innermost is self:
             LongCall._innermost = self._outer
         if self._bar is not None:
