@@ -4,11 +4,14 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 import os
+import pickle
 import signal
 import threading
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -291,3 +294,21 @@ def test_bad_arguments(context: ty.Context, scene: ty.Scene) -> None:
         context.render(scene, **SIZE, spp=1, progress=3)  # type: ignore[arg-type]
     with pytest.raises(errors.InvalidArgumentError, match="layer is 'beuty'"):
         context.renderer(scene, **SIZE).read("beuty")
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda image: pickle.loads(pickle.dumps(image))])
+def test_copies_have_arrays_and_no_renderer(context: ty.Context, tmp_path: Path, copied: Any) -> None:
+    with cube_scene(context) as scene:
+        light = ty.Renderer(scene, width=4, height=3, seed=5)
+        light.run(2)
+        with ty.Image(light, ["beauty", "depth"]) as image:
+            found = copied(image)
+            assert type(found) is ty.Image and found.names == ["beauty", "depth"] and found.closed and found.renderer is None
+            for name in found:
+                np.testing.assert_array_equal(found[name], image[name])
+            assert (found.stats.samples, found.stats.seed, found.stats.width) == (2, 5, 4)
+            assert repr(found) == repr(image)
+            found.close()
+            assert not image.closed  # the copy had nothing of it
+            with pytest.raises(ty.errors.ClosedError, match="copy of an Image"):
+                ty.write_exr(tmp_path / "copy.exr", found)

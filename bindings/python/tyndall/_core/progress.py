@@ -8,7 +8,6 @@ from __future__ import annotations
 import _signal  # type: ignore[import-not-found]
 import signal
 import threading
-
 from types import FrameType, TracebackType
 from typing import Any, Callable, ClassVar, Union
 

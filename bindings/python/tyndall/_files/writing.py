@@ -15,7 +15,7 @@ from .._core.choices import choice
 from .._core.numbers import number
 from .._render.image import Image
 from .._render.renderer import LAYERS, Renderer
-from ..errors import InvalidArgumentError
+from ..errors import ClosedError, InvalidArgumentError
 
 Picture = Union[Image, Renderer]
 """What has a film."""
@@ -70,6 +70,8 @@ def write_png(
 
 
 def _renderer(image: Picture) -> Renderer:
+    if isinstance(image, Image) and image.renderer is None:
+        raise ClosedError("a copy of an Image has no renderer, of which files are written")
     found = image.renderer if isinstance(image, Image) else image
     if not isinstance(found, Renderer):
         raise InvalidArgumentError(f"image is {shown(image)}; it must be a tyndall.Image or a tyndall.Renderer")

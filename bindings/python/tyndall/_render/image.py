@@ -6,13 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from types import TracebackType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .._core.arrays import shown
 from .._core.choices import choice
 from ..errors import InvalidArgumentError
-from .renderer import LAYERS, Renderer
+from .renderer import LAYERS, Renderer, RenderStats
 
 
 def layer_names(layers: Iterable[str] | None) -> list[str]:
@@ -30,11 +32,17 @@ class Image(Mapping[str, NDArray[np.float32]]):
     width x channels, rows from top to bottom. `Renderer.layers` says what they hold.
 
     The renderer stays, for files and for more samples, until `close()` gives its memory on the device back; the arrays remain.
+    Copies and pickles have the arrays and `stats` alone: their renderer is None.
     """
+
+    renderer: Renderer | None
+    """What drew it; None in copies."""
 
     def __init__(self, renderer: Renderer, layers: Iterable[str] | None = None) -> None:
         """Reads the film of `renderer`. layers: names of those that are read; None: all."""
         names = layer_names(layers)
+        if not isinstance(renderer, Renderer):
+            raise InvalidArgumentError(f"renderer is {shown(renderer)}; it must be a tyndall.Renderer")
         self.renderer = renderer
         self.stats = renderer.stats
         """What was done for it, and where the energy of all walks went."""
@@ -74,12 +82,16 @@ class Image(Mapping[str, NDArray[np.float32]]):
 
     @property
     def closed(self) -> bool:
-        """Whether the renderer was closed."""
-        return self.renderer.closed
+        """Whether the renderer was closed, or there is none."""
+        return self.renderer is None or self.renderer.closed
 
     def close(self) -> None:
         """Closes the renderer. The arrays remain; files can no more be written."""
-        self.renderer.close()
+        if self.renderer is not None:
+            self.renderer.close()
+
+    def __reduce__(self) -> Any:
+        return _without_renderer, (self.stats, self._layers)
 
     def __enter__(self) -> Image:
         return self
@@ -90,3 +102,9 @@ class Image(Mapping[str, NDArray[np.float32]]):
     def __repr__(self) -> str:
         size = f"{self.stats.width} x {self.stats.height}"
         return f"<tyndall.Image {size}, {self.stats.samples} samples a pixel: {', '.join(self._layers)}>"
+
+
+def _without_renderer(stats: RenderStats, layers: dict[str, NDArray[np.float32]]) -> Image:
+    image = Image.__new__(Image)
+    image.renderer, image.stats, image._layers = None, stats, dict(layers)
+    return image

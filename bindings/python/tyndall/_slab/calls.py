@@ -85,8 +85,9 @@ class SlabCalls(ContextHandle):
 
         Depths are resolved to 2^-24 of their value and 1 - albedo to 2^-32, as the device works in single precision.
         Errors: InvalidArgumentError (also for a half-space with 1 - albedo below 1e-7 without max_order, whose walks would go
-        on for ever, and more than 2^22 bins a channel), OutOfMemoryError, DeviceError, KernelBuildError, CancelledError, whose
-        `result` is the SlabResult of what was done.
+        on for ever, and more than 2^22 bins a channel or 2^23 in all: those of reflectance and transmittance each, those of
+        depth in every layer), OutOfMemoryError, DeviceError, KernelBuildError, CancelledError, whose `result` is the
+        SlabResult of what was done.
         """
         found = stack(layers)
         slab = slab_record(found, ior_above, ior_below)

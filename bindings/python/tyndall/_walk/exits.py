@@ -51,8 +51,9 @@ class Exits(np.ndarray[Any, np.dtype[Any]]):
     def ended(self, status: str) -> NDArray[np.bool_]:
         """Which walks ended in this way. "escaped": left through the boundary. "absorbed": by roulette, or the weight reached
         exactly 0. "capped": reached max_scatterings, or is trapped by total reflection. "leaked": left the bounds of the mesh
-        without crossing a triangle, a hole. "lost": a number became NaN or infinite. "reflected": of kind "refract", and
-        nothing was transmitted."""
+        without crossing a triangle, through a hole; or, rarely, in a closed mesh with ior > 1, after a reflection at the very
+        edge of two triangles, where rounding decides what is inside. "lost": a number became NaN or infinite. "reflected": of
+        kind "refract", and nothing was transmitted."""
         mask: NDArray[np.bool_] = self["status"] == choice(status, "status", STATUSES)
         return mask
 

@@ -29,7 +29,8 @@ class Ledger:
     capped: NDArray[np.float64]
     """Cut by max_scatterings, or trapped."""
     leaked: NDArray[np.float64]
-    """Left through a hole."""
+    """Left through a hole; in a closed mesh with ior > 1 also, rarely, after a reflection at the very edge of two triangles,
+    where rounding decides what is inside."""
     lost: NDArray[np.float64]
     """Numerically."""
     walks: int

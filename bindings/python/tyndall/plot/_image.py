@@ -75,7 +75,7 @@ def _draw_data(ax: Any, img: Image, layer: str, values: NDArray[np.float32]) -> 
     """Nothing is drawn where rays hit nothing."""
     masked = np.ma.masked_invalid(values)
     drawn = ax.imshow(masked, interpolation="nearest", cmap="viridis_r" if layer == "depth" else "viridis")
-    unit = unit_name(img.renderer.scene.metres_per_unit)
+    unit = unit_name(None if img.renderer is None else img.renderer.scene.metres_per_unit)
     label = length_label("depth", unit) if layer == "depth" else "samples a pixel"
     bar = ax.figure.colorbar(drawn, ax=ax, label=label, fraction=0.04, pad=0.02)
     bar.outline.set_visible(False)
